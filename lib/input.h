@@ -1,0 +1,42 @@
+/*
+ * An input of bytes: a file, standard input, gzip or plain, told apart by
+ * content. A file, and only a file, can be read twice.
+ */
+#ifndef TESSERA_INPUT_H
+#define TESSERA_INPUT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "fault.h"
+
+struct input {
+	const char *name; /* for messages; borrowed; "standard input" */
+	void *gz; /* zlib's reader */
+	uint64_t size; /* bytes of the file as stored; 0 unknown */
+	uint64_t at; /* bytes delivered, uncompressed */
+	uint64_t max_bytes; /* limit on them; 0: none */
+	bool can_rewind;
+};
+
+/* NULL and "-" are standard input. */
+enum tcs_status input_open(struct input *input, const char *name,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Up to `room` bytes; *got is 0 at the end only. Fails with TCS_SYSTEM,
+ * TCS_TRUNCATED or TCS_BAD_INPUT (a damaged gzip), TCS_LIMIT.
+ */
+enum tcs_status input_read(struct input *input, void *bytes, size_t room,
+	size_t *got, struct tcs_fault *fault) TCS_CHECKED;
+
+enum tcs_status input_rewind(
+	struct input *input, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Bytes consumed of what is stored, for progress against `size`. */
+uint64_t input_consumed(const struct input *input);
+
+void input_close(struct input *input);
+
+#endif
