@@ -45,8 +45,9 @@ all_ldflags = $(flags_$(config)) -pthread $(LDFLAGS)
 programs := parsers/citygml2tcs parsers/json2tcs writers/tcs2json \
 	writers/tcs2gltf tessera
 
-citygml2tcs_sources := parsers/citygml2tcs.c $(wildcard parsers/citygml_*.c)
-citygml2tcs_libs = $(xml_libs) -lGLU -lz -lm
+citygml2tcs_sources := parsers/citygml2tcs.c parsers/srs.c \
+	$(wildcard parsers/citygml_*.c)
+citygml2tcs_libs = $(xml_libs) -lproj -lGLU -lz -lm
 json2tcs_sources := parsers/json2tcs.c $(wildcard parsers/json_*.c)
 json2tcs_libs = -ljansson -lz -lm
 tcs2json_sources := writers/tcs2json.c $(wildcard writers/json_*.c)
@@ -101,6 +102,10 @@ unit_tests := $(patsubst tests/unit/%.c,$(build)/tests/unit/%,\
 	$(wildcard tests/unit/*_test.c))
 
 $(build)/tests/unit/%: $(build)/tests/unit/%.o $(lib_archive)
-	$(CC) $(all_ldflags) -o $@ $^ -lGLU -ljansson -lz -lm
+	$(CC) $(all_ldflags) -o $@ $(filter %.o,$^) $(lib_archive) \
+		-lproj -lGLU -ljansson -lz -lm
+
+# A test of a file that is not in lib links that file too.
+$(build)/tests/unit/srs_test: $(build)/parsers/srs.o
 
 unit: $(unit_tests)
