@@ -50,7 +50,7 @@ struct option_row {
 	const char *argument; /* its placeholder, "FILE"; NULL: takes none */
 	const char *help; /* one sentence, shown by --help */
 	void *target;
-	double low, high; /* OPTION_UNSIGNED, OPTION_NUMBER: high 0: no limit */
+	double low, high; /* OPTION_UNSIGNED, OPTION_NUMBER; high 0: no limit */
 	const char *(*parse)(void *target, const char *argument);
 };
 
@@ -78,8 +78,10 @@ struct command {
 	unsigned verbose;
 	bool quiet;
 	bool strict;
-	char *arguments; /* as given, separated by blanks, for the stream's
-	                    head; owned */
+	char *arguments; /* the program's own options as given, separated by
+	                    blanks, for the stream's head; UTF-8; owned. File
+	                    names and common options are left out: they change
+	                    nothing of the stream, and so neither its head */
 };
 
 /*

@@ -1,0 +1,296 @@
+#include "report.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "output.h"
+#include "plain.h"
+#include "program.h"
+#include "utf8.h"
+
+static bool
+same(const char *a, const char *b)
+{
+	return a == b || !strcmp(a, b);
+}
+
+void
+report_clear(struct report *report)
+{
+	for (size_t i = 0; i < report->reasons.count; i++)
+		for (int k = 0; k < REPORT_EXAMPLES; k++)
+			free(report->reasons.at[i].examples[k]);
+	array_clear(&report->reasons);
+	array_clear(&report->counts);
+}
+
+void
+report_release(struct report *report)
+{
+	report_clear(report);
+	array_release(&report->reasons);
+	array_release(&report->counts);
+}
+
+enum tcs_status
+report_add(struct report *report, const char *name, uint64_t count,
+	struct tcs_fault *fault)
+{
+	for (size_t i = 0; i < report->counts.count; i++)
+		if (same(report->counts.at[i].name, name)) {
+			report->counts.at[i].count += count;
+			return TCS_OK;
+		}
+	if (array_grow(&report->counts, 1))
+		return fault_memory(fault);
+	report->counts.at[report->counts.count++] =
+		(struct report_count){name, count};
+	return TCS_OK;
+}
+
+/* The row of a reason, new where need be; NULL without memory. */
+static struct report_reason *
+reason_row(struct report *report, enum report_severity severity,
+	const char *item, const char *reason)
+{
+	struct report_reason *row;
+
+	for (size_t i = 0; i < report->reasons.count; i++) {
+		row = &report->reasons.at[i];
+		if (row->severity == severity && same(row->reason, reason) &&
+			same(row->item, item))
+			return row;
+	}
+	if (array_grow(&report->reasons, 1))
+		return NULL;
+	row = &report->reasons.at[report->reasons.count++];
+	*row = (struct report_reason){
+		.severity = severity, .item = item, .reason = reason};
+	return row;
+}
+
+/* Keep `example` while there is room for one. */
+static enum tcs_status
+keep_example(
+	struct report_reason *row, const char *example, struct tcs_fault *fault)
+{
+	for (int i = 0; i < REPORT_EXAMPLES; i++) {
+		if (row->examples[i])
+			continue;
+		row->examples[i] = strdup(example);
+		return row->examples[i] ? TCS_OK : fault_memory(fault);
+	}
+	return TCS_OK;
+}
+
+enum tcs_status
+report_item(struct report *report, enum report_severity severity,
+	const char *item, const char *reason, const char *id, uint64_t at,
+	struct tcs_fault *fault)
+{
+	struct report_reason *row = reason_row(report, severity, item, reason);
+	char place[32];
+
+	if (!row)
+		return fault_memory(fault);
+	row->count++;
+	if (id && *id)
+		return keep_example(row, id, fault);
+	if (at == TCS_NOWHERE)
+		return TCS_OK;
+	snprintf(place, sizeof place, "at %" PRIu64, at);
+	return keep_example(row, place, fault);
+}
+
+enum tcs_status
+report_merge(
+	struct report *into, const struct report *from, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < from->counts.count; i++)
+		status = report_add(into, from->counts.at[i].name,
+			from->counts.at[i].count, fault);
+	for (size_t i = 0; !status && i < from->reasons.count; i++) {
+		const struct report_reason *more = &from->reasons.at[i];
+		struct report_reason *row = reason_row(
+			into, more->severity, more->item, more->reason);
+
+		if (!row)
+			return fault_memory(fault);
+		row->count += more->count;
+		for (int k = 0; k < REPORT_EXAMPLES; k++)
+			if (!status && more->examples[k])
+				status = keep_example(
+					row, more->examples[k], fault);
+	}
+	return status;
+}
+
+enum tcs_status
+report_strict(const struct report *report, struct tcs_fault *fault)
+{
+	for (size_t i = 0; i < report->reasons.count; i++) {
+		const struct report_reason *row = &report->reasons.at[i];
+
+		if (row->severity != REPORT_SKIPPED)
+			continue;
+		return fault_set(fault, TCS_BAD_INPUT, TCS_NOWHERE,
+			"%s%s%s: %s", row->item, row->examples[0] ? " " : "",
+			row->examples[0] ? row->examples[0] : "", row->reason);
+	}
+	return TCS_OK;
+}
+
+/* ---- lines ------------------------------------------------------------- */
+
+/* "polygons", "geometries", "classes" */
+static void
+print_plural(const char *item, FILE *to)
+{
+	size_t length = strlen(item);
+	char last = length ? item[length - 1] : '\0';
+
+	if (last == 'y')
+		fprintf(to, "%.*sies", (int)length - 1, item);
+	else if (last == 's')
+		fprintf(to, "%ses", item);
+	else
+		fprintf(to, "%ss", item);
+}
+
+static void
+print_reason(const struct report_reason *row, FILE *to)
+{
+	static const char *const done[] = {[REPORT_NOTE] = "",
+		[REPORT_REPAIRED] = " repaired",
+		[REPORT_SKIPPED] = " skipped"};
+	uint64_t shown = 0;
+
+	fprintf(to, "%" PRIu64 " ", row->count);
+	if (row->count == 1)
+		fputs(row->item, to);
+	else
+		print_plural(row->item, to);
+	fprintf(to, "%s: %s", done[row->severity], row->reason);
+	for (; shown < REPORT_EXAMPLES && row->examples[shown]; shown++) {
+		fputs(shown ? ", " : " (", to);
+		plain_print(to, row->examples[shown]);
+	}
+	if (shown)
+		fputs(shown < row->count ? ", ...)" : ")", to);
+	putc('\n', to);
+}
+
+void
+report_print(const struct report *report, const char *program, FILE *to)
+{
+	for (size_t i = 0; i < report->reasons.count; i++) {
+		fprintf(to, "%s: ", program);
+		print_reason(&report->reasons.at[i], to);
+	}
+}
+
+/* ---- JSON -------------------------------------------------------------- */
+
+/* One character, or one byte that begins none, which becomes U+FFFD. */
+static size_t
+json_character(const char *at, size_t length, FILE *to)
+{
+	size_t size = utf8_length(at, length);
+
+	if (!size) {
+		fputs("\\ufffd", to);
+		return 1;
+	}
+	if (size == 1 && (*at == '"' || *at == '\\'))
+		fprintf(to, "\\%c", *at);
+	else if (size == 1 && ((unsigned char)*at < 0x20 || *at == 0x7f))
+		fprintf(to, "\\u%04x", (unsigned)*at);
+	else
+		fwrite(at, 1, size, to);
+	return size;
+}
+
+static void
+json_string(const char *text, FILE *to)
+{
+	size_t length = strlen(text);
+
+	putc('"', to);
+	while (length) {
+		size_t size = json_character(text, length, to);
+
+		text += size;
+		length -= size;
+	}
+	putc('"', to);
+}
+
+static void
+json_reason(const struct report_reason *row, FILE *to)
+{
+	fputs("\n  {\"item\": ", to);
+	json_string(row->item, to);
+	fputs(", \"reason\": ", to);
+	json_string(row->reason, to);
+	fprintf(to, ", \"count\": %" PRIu64 ", \"examples\": [", row->count);
+	for (int i = 0; i < REPORT_EXAMPLES && row->examples[i]; i++) {
+		if (i)
+			fputs(", ", to);
+		json_string(row->examples[i], to);
+	}
+	fputs("]}", to);
+}
+
+static void
+json_reasons(const struct report *report, enum report_severity severity,
+	const char *key, FILE *to)
+{
+	bool first = true;
+
+	fprintf(to, ",\n \"%s\": [", key);
+	for (size_t i = 0; i < report->reasons.count; i++) {
+		const struct report_reason *row = &report->reasons.at[i];
+
+		if (row->severity != severity)
+			continue;
+		if (!first)
+			putc(',', to);
+		first = false;
+		json_reason(row, to);
+	}
+	putc(']', to);
+}
+
+static void
+json_report(const struct report *report, const char *program, FILE *to)
+{
+	fputs("{\"program\": ", to);
+	json_string(program, to);
+	fputs(", \"version\": \"" TESSERA_VERSION "\",\n \"counts\": {", to);
+	for (size_t i = 0; i < report->counts.count; i++) {
+		fputs(i ? ",\n  " : "\n  ", to);
+		json_string(report->counts.at[i].name, to);
+		fprintf(to, ": %" PRIu64, report->counts.at[i].count);
+	}
+	putc('}', to);
+	json_reasons(report, REPORT_SKIPPED, "skipped", to);
+	json_reasons(report, REPORT_REPAIRED, "repaired", to);
+	json_reasons(report, REPORT_NOTE, "notes", to);
+	fputs("}\n", to);
+}
+
+enum tcs_status
+report_write(const struct report *report, const char *program,
+	const char *file_name, struct tcs_fault *fault)
+{
+	struct output output;
+	enum tcs_status status = output_open(&output, file_name, fault);
+
+	if (status)
+		return status;
+	json_report(report, program, output.file);
+	return output_commit(&output, fault);
+}
