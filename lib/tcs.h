@@ -191,7 +191,8 @@ enum {
 /*
  * How one theme paints one polygon: a material, a texture, or both. With a
  * texture, `first_texcoord` is the coordinate of the polygon's first vertex
- * and one follows for each of its vertices.
+ * and one follows for each of its vertices; these runs follow each other in
+ * the order of the paints.
  */
 struct tcs_paint {
 	uint32_t polygon;
@@ -412,6 +413,7 @@ struct tcs_record {
 	uint64_t at; /* offset of the record in the stream, for messages */
 	struct tcs_tally before; /* what had passed when it was read */
 	TCS_ARRAY(unsigned char) bytes;
+	TCS_ARRAY(unsigned char) spare; /* room to encode what it lent */
 };
 
 void record_release(struct tcs_record *record);
@@ -434,7 +436,10 @@ enum tcs_status palette_decode(struct tcs_palette *out,
 /*
  * Encode into record->bytes and set record->type. The struct must keep the
  * rules that decoding checks: breaking one is the caller's bug, found by
- * object_check. Fails with TCS_NO_MEMORY.
+ * object_check. Its arrays may be lent by the same record; then they stay as
+ * they are until the next encoding. The bytes are canonical: text that nothing
+ * names is left out, equal strings are written once, in the order of first
+ * use. Fails with TCS_NO_MEMORY.
  */
 enum tcs_status object_encode(const struct tcs_object *object,
 	enum tcs_record_type type, /* TCS_OBJECT or TCS_PROTOTYPE */
@@ -445,10 +450,26 @@ enum tcs_status palette_encode(const struct tcs_palette *palette,
 	struct tcs_record *record, struct tcs_fault *fault) TCS_CHECKED;
 
 /*
- * The rules of a decoded object: every index in range, runs that follow each
- * other without gap or overlap, parents before children, text terminated and
- * UTF-8, positions finite. What it refers to in the stream's tables is checked
- * by object_decode.
+ * The rules of an object, whether decoded or about to be encoded:
+ * - feature 0 has no parent, every other names an earlier one;
+ * - attributes stand in the order of their features; a set stands before its
+ *   members and belongs to the same feature;
+ * - runs follow each other without gap or overlap, in the order of their
+ *   owners, and an empty run begins where the one before ended: a geometry's
+ *   polygons and shells, a shell's polygons, a polygon's vertices, rings and
+ *   triangles, a paint's texture coordinates;
+ * - solids with polygons have shells, which cover them; nothing else has;
+ * - a polygon's rings have at least one vertex each and begin at its first
+ *   vertex; its triangles have their corners among its own vertices; curves
+ *   and points have no triangles;
+ * - a paint has texture coordinates if and only if it has an image;
+ * - indices are in range, enumerations too, but a class may be a newer one;
+ * - positions, texture coordinates, matrices are finite (the number of an
+ *   attribute need not be);
+ * - text begins and ends with NUL and is UTF-8; an offset names the start of
+ *   a string, and only 0 names the empty one.
+ * What it refers to in the stream's tables is checked by object_decode.
+ * Fails with TCS_BAD_INPUT.
  */
 enum tcs_status object_check(
 	const struct tcs_object *object, struct tcs_fault *fault) TCS_CHECKED;
@@ -456,8 +477,9 @@ enum tcs_status object_check(
 /* ---- reading and writing a stream -------------------------------------- */
 
 /*
- * A reader over a stdio stream, which it does not own. All zero is not a valid
- * reader: reader_init. Not for use by two threads at once.
+ * A reader over a stdio stream, which it does not own and from which nothing
+ * was read before. All zero is not a valid reader: reader_init. Not for use by
+ * two threads at once.
  */
 struct tcs_reader {
 	FILE *file;
@@ -477,8 +499,8 @@ void reader_release(struct tcs_reader *reader);
 /*
  * Read the next record: its CRC checked, its payload inflated. The head comes
  * first. The end record is read, compared with what passed, and reported by
- * reader->ended with record->type TCS_END; nothing may follow it. Memory grows
- * as bytes arrive, never by what a length claims.
+ * reader->ended with record->type TCS_END; nothing may follow it, and nobody
+ * asks for more. Memory grows as bytes arrive, never by what a length claims.
  * Fails with TCS_TRUNCATED when the stream stops without an end record, with
  * TCS_BAD_INPUT, TCS_LIMIT (a record over max_record), TCS_SYSTEM.
  */
@@ -486,8 +508,9 @@ enum tcs_status reader_next(struct tcs_reader *reader,
 	struct tcs_record *record, struct tcs_fault *fault) TCS_CHECKED;
 
 /*
- * A writer over a stdio stream, which it does not own. Not for use by two
- * threads at once. `level` 0 writes payloads as they are, 1…9 compresses.
+ * A writer over a stdio stream, which it does not own and to which nothing was
+ * written before. Not for use by two threads at once. `level` 0 writes
+ * payloads as they are, 1…9 compresses.
  */
 struct tcs_writer {
 	FILE *file;

@@ -1,0 +1,74 @@
+#include <string.h>
+
+#include "tcs.h"
+
+const char *
+object_text(const struct tcs_object *object, tcs_text text)
+{
+	return text ? object->text.at + text : "";
+}
+
+void
+object_release(struct tcs_object *object)
+{
+	array_release(&object->text);
+	array_release(&object->features);
+	array_release(&object->attributes);
+	array_release(&object->relations);
+	array_release(&object->geometries);
+	array_release(&object->shells);
+	array_release(&object->polygons);
+	array_release(&object->rings);
+	array_release(&object->vertices);
+	array_release(&object->triangles);
+	array_release(&object->paints);
+	array_release(&object->texcoords);
+	array_release(&object->instances);
+}
+
+void
+object_clear(struct tcs_object *object)
+{
+	array_clear(&object->text);
+	array_clear(&object->features);
+	array_clear(&object->attributes);
+	array_clear(&object->relations);
+	array_clear(&object->geometries);
+	array_clear(&object->shells);
+	array_clear(&object->polygons);
+	array_clear(&object->rings);
+	array_clear(&object->vertices);
+	array_clear(&object->triangles);
+	array_clear(&object->paints);
+	array_clear(&object->texcoords);
+	array_clear(&object->instances);
+}
+
+enum tcs_status
+text_append_to(void *text_array, const char *string, size_t length,
+	tcs_text *out, struct tcs_fault *fault)
+{
+	struct tcs_array text;
+	size_t start;
+	char *at;
+
+	*out = 0;
+	if (!length)
+		return TCS_OK;
+	memcpy(&text, text_array, sizeof text);
+	start = text.count ? text.count : 1;
+	if (length >= UINT32_MAX || start > UINT32_MAX - length - 1)
+		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
+			"the text of one record exceeds 4 GiB");
+	if (array_grow_bytes(text_array, 1, length + 2))
+		return fault_memory(fault);
+	memcpy(&text, text_array, sizeof text);
+	at = text.at;
+	at[0] = '\0';
+	memcpy(at + start, string, length);
+	at[start + length] = '\0';
+	text.count = start + length + 1;
+	memcpy(text_array, &text, sizeof text);
+	*out = (tcs_text)start;
+	return TCS_OK;
+}
