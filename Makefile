@@ -1,111 +1,230 @@
 # tessera: CityGML and IFC through Unix pipes. `make help` lists the targets.
 
 config ?= release
-build ?= build/$(config)
 PREFIX ?= /usr/local
-CC = gcc
-CXX = g++
 PKG_CONFIG ?= pkg-config
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+ifeq ($(origin CXX),default)
+CXX := $(if $(findstring clang,$(CC)),clang++,g++)
+endif
 
 configs := debug release sanitize fuzz
 ifeq ($(filter $(config),$(configs)),)
 $(error config=$(config) is none of: $(configs))
 endif
+ifeq ($(config),fuzz)
+CC := clang
+CXX := clang++
+build ?= build/fuzz
+else
+# Objects of two compilers never share a folder.
+build ?= build/$(if $(findstring clang,$(CC)),clang-)$(config)
+endif
 
 # ---- flags -----------------------------------------------------------------
 
 warnings := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wwrite-strings -Wvla
+ifdef WERROR
+warnings += -Werror
+endif
 warnings_c := $(warnings) -Wstrict-prototypes -Wmissing-prototypes
 flags_debug := -O1 -g
 flags_release := -O2 -g -DNDEBUG
 flags_sanitize := -O1 -g -fsanitize=address,undefined \
 	-fno-sanitize-recover=all -fno-omit-frame-pointer
 flags_fuzz := $(flags_sanitize) -fsanitize=fuzzer-no-link -DTESSERA_FUZZ
-ifeq ($(config),fuzz)
-CC = clang
-CXX = clang++
-endif
-ifdef WERROR
-warnings += -Werror
-endif
 
-# Recipes run only once the packages are there, so ask pkg-config lazily.
-xml_flags = $(shell $(PKG_CONFIG) --cflags libxml-2.0 2>/dev/null)
-xml_libs = $(shell $(PKG_CONFIG) --libs libxml-2.0 2>/dev/null)
+# Asked when a recipe runs: on a fresh machine the packages come before it.
+xml_flags = $(shell $(PKG_CONFIG) --cflags libxml-2.0)
 
 common := $(flags_$(config)) -pthread -Ilib -D_POSIX_C_SOURCE=200809L
 all_cflags = -std=c11 $(warnings_c) $(common) $(CPPFLAGS) $(CFLAGS)
 all_cxxflags = -std=c++17 $(warnings) $(common) $(CPPFLAGS) $(CXXFLAGS)
-all_ldflags = $(flags_$(config)) -pthread $(LDFLAGS)
+all_ldflags = $(flags_$(config)) -pthread -Wl,--as-needed $(LDFLAGS)
+libs := -lxml2 -lproj -lGLU -ljansson -ltinygltf -lz -lm
 
 # ---- what is built ---------------------------------------------------------
 
-# A program's sources: the file with its main, and the files of its family.
-# Each lists its own libraries; a C++ file makes it link with the C++ compiler.
-programs := parsers/citygml2tcs parsers/json2tcs writers/tcs2json \
+# A program is the file with its main, what it needs of the other files of its
+# folder, and what it needs of lib/. Those whose main is there are built.
+all_programs := parsers/citygml2tcs parsers/json2tcs writers/tcs2json \
 	writers/tcs2gltf tessera
-
-citygml2tcs_sources := parsers/citygml2tcs.c parsers/srs.c \
-	$(wildcard parsers/citygml_*.c)
-citygml2tcs_libs = $(xml_libs) -lproj -lGLU -lz -lm
-json2tcs_sources := parsers/json2tcs.c $(wildcard parsers/json_*.c)
-json2tcs_libs = -ljansson -lz -lm
-tcs2json_sources := writers/tcs2json.c $(wildcard writers/json_*.c)
-tcs2json_libs = -lz -lm
-tcs2gltf_sources := writers/tcs2gltf.c $(wildcard writers/gltf_*.c) \
-	$(wildcard writers/gltf_*.cpp)
-tcs2gltf_libs = -ltinygltf -lz -lm
-tessera_sources := tessera.c
-tessera_libs = -lz -lm
-
-lib_objects := $(patsubst %.c,$(build)/%.o,$(wildcard lib/*.c))
-lib_archive := $(build)/libtessera.a
-bin := $(build)/bin
+programs := $(patsubst %.c,%,$(wildcard $(addsuffix .c,$(all_programs))))
 program_names := $(notdir $(programs))
-pages := $(wildcard *.1 parsers/*.1 simplify/*.1 writers/*.1)
+pages := $(wildcard *.1 parsers/*.1 simplify/*.1 writers/*.1 lib/*.5)
+folders := lib parsers simplify writers
 
-objects_of = $(patsubst %.cpp,$(build)/%.o,$(patsubst %.c,$(build)/%.o,$(1)))
-link_with = $(if $(filter %.cpp,$(1)),$(CXX),$(CC))
+bin := $(build)/bin
+binaries := $(addprefix $(bin)/,$(program_names))
+objects_of = $(addprefix $(build)/,$(addsuffix .o,$(basename $(1))))
+sources_in = $(filter-out $(addsuffix .c,$(all_programs)),\
+	$(wildcard $(1)/*.c $(1)/*.cpp))
+# `make V=1` shows the commands.
+show = $(if $(V),,@echo '  $(1) $@';)
+archive_of = $(if $(call sources_in,$(1)),$(build)/$(1).a)
+# Tests link what they need of every folder; lib stands last.
+archives := $(strip $(foreach folder,parsers simplify writers lib,\
+	$(call archive_of,$(folder))))
 
-.PHONY: all demo test unit cases lint bench install clean help packages
+.PHONY: all demo test check unit cases suites cases-accept lint format bench \
+	fuzz install uninstall clean help demo-here test-here FORCE
 .DELETE_ON_ERROR:
+.SECONDARY:
 
-all: $(addprefix $(bin)/,$(program_names))
+all: $(binaries)
 
-define program_rule
-$(bin)/$(1): $(call objects_of,$($(1)_sources)) $(lib_archive)
-	@mkdir -p $$(@D)
-	$(call link_with,$($(1)_sources)) $$(all_ldflags) -o $$@ $$^ $$($(1)_libs)
+define archive_rule
+$(build)/$(1).a: $(call objects_of,$(call sources_in,$(1)))
+	$$(call show,AR)rm -f $$@ && $$(AR) rcs $$@ $$^
 endef
-$(foreach name,$(program_names),$(eval $(call program_rule,$(name))))
+$(foreach folder,$(folders),$(if $(call sources_in,$(folder)),\
+	$(eval $(call archive_rule,$(folder)))))
 
-$(lib_archive): $(lib_objects)
+folder_of = $(patsubst %/,%,$(dir $(1)))
+define program_rule
+$(bin)/$(notdir $(1)): $(call objects_of,$(1).c) \
+	$(filter-out $(build)/lib.a,$(call archive_of,$(call folder_of,$(1)))) \
+	$(build)/lib.a $(build)/flags
+	@mkdir -p $$(@D)
+	$$(call show,LD)$(if $(wildcard $(dir $(1))*.cpp),$$(CXX),$$(CC)) $$(all_ldflags) \
+		-o $$@ $$(filter %.o %.a,$$^) $$(libs)
+endef
+$(foreach program,$(programs),$(eval $(call program_rule,$(program))))
+
+$(build)/%.o: %.c $(build)/flags
 	@mkdir -p $(@D)
-	rm -f $@
-	$(AR) rcs $@ $^
+	$(call show,CC)$(CC) $(all_cflags) $(own_flags) -MMD -MP -c -o $@ $<
 
-$(build)/%.o: %.c Makefile
+$(build)/%.o: %.cpp $(build)/flags
 	@mkdir -p $(@D)
-	$(CC) $(all_cflags) $(cflags_$(basename $(notdir $<))) -MMD -MP -c -o $@ $<
+	$(call show,CXX)$(CXX) $(all_cxxflags) $(own_flags) -MMD -MP -c -o $@ $<
 
-$(build)/%.o: %.cpp Makefile
+$(build)/parsers/%.o: own_flags = $(xml_flags)
+$(build)/tests/%.o: own_flags = -I. -Itests/unit $(xml_flags)
+
+# Changes, and so rebuilds everything, when the flags do.
+$(build)/flags: FORCE
 	@mkdir -p $(@D)
-	$(CXX) $(all_cxxflags) -MMD -MP -c -o $@ $<
+	@echo '$(CC) $(all_cflags) / $(CXX) $(all_cxxflags) / $(all_ldflags)' \
+		>$@.new
+	@cmp -s $@ $@.new && rm $@.new || mv $@.new $@
 
-$(call objects_of,$(citygml2tcs_sources)): CPPFLAGS += $(xml_flags)
+-include $(wildcard $(build)/*.d $(build)/*/*.d $(build)/*/*/*.d)
 
--include $(shell find $(build) -name '*.d' 2>/dev/null)
+# ---- tests, benches, fuzz targets, sample generators -----------------------
 
-# ---- tests -----------------------------------------------------------------
+built_from = $(patsubst %.c,$(build)/%,$(wildcard $(1)))
+unit_tests := $(call built_from,tests/unit/*_test.c)
+benches := $(call built_from,tests/bench/*_bench.c)
+generators := $(call built_from,samples/*.c)
+fuzzers := $(patsubst tests/fuzz/%_fuzz.c,$(build)/fuzz/%,\
+	$(wildcard tests/fuzz/*_fuzz.c))
+link_test = $(call show,LD)$(CXX) $(all_ldflags) -o $@ $(filter %.o %.a,$^) $(libs)
 
-unit_tests := $(patsubst tests/unit/%.c,$(build)/tests/unit/%,\
-	$(wildcard tests/unit/*_test.c))
+$(unit_tests) $(benches): $(build)/%: $(build)/%.o $(archives) $(build)/flags
+	$(link_test)
 
-$(build)/tests/unit/%: $(build)/tests/unit/%.o $(lib_archive)
-	$(CC) $(all_ldflags) -o $@ $(filter %.o,$^) $(lib_archive) \
-		-lproj -lGLU -ljansson -lz -lm
+$(generators): $(build)/%: $(build)/%.o $(build)/lib.a $(build)/flags
+	$(link_test)
 
-# A test of a file that is not in lib links that file too.
-$(build)/tests/unit/srs_test: $(build)/parsers/srs.o
+$(fuzzers): $(build)/fuzz/%: $(build)/tests/fuzz/%_fuzz.o $(archives) \
+		$(build)/flags
+	@mkdir -p $(@D)
+	$(link_test) -fsanitize=fuzzer
+
+# All processors, unless -j says otherwise.
+in_parallel = $(MAKE) --no-print-directory \
+	$(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc))
+
+# What the scripts under tests/ need to know.
+run = BUILD='$(abspath $(build))' CC='$(CC)' CXX='$(CXX)' tests/run.sh
+
+demo:
+	@tests/packages.sh build
+	@$(in_parallel) demo-here
+
+demo-here: all
+	@BUILD='$(abspath $(build))' samples/demo.sh
+
+test:
+	@tests/packages.sh build test
+	@$(in_parallel) test-here
+
+test-here: all $(unit_tests) $(generators)
+	@$(run) unit cases suites
 
 unit: $(unit_tests)
+	@$(run) unit
+
+cases: all $(generators)
+	@$(run) cases
+
+suites: all $(generators)
+	@$(run) suites
+
+cases-accept: all $(generators)
+	@BUILD='$(abspath $(build))' tests/run-cases.sh --accept $(CASES)
+
+bench: all $(benches) $(generators)
+	@BUILD='$(abspath $(build))' tests/bench/run.sh $(BENCH)
+
+ifeq ($(config),fuzz)
+SECONDS ?= 60
+fuzz: $(fuzzers)
+	@BUILD='$(abspath $(build))' tests/fuzz/run.sh '$(SECONDS)' $(NAME)
+else
+fuzz:
+	@$(MAKE) --no-print-directory config=fuzz fuzz
+endif
+
+lint:
+	@tests/packages.sh build lint
+	@tests/lint.sh
+
+format:
+	clang-format -i $$(tests/lint.sh --sources)
+
+# ---- installation ----------------------------------------------------------
+
+destination := $(DESTDIR)$(PREFIX)
+man := $(destination)/share/man
+
+install: all
+	install -d '$(destination)/bin' '$(man)/man1' '$(man)/man5'
+	install -m 755 $(binaries) '$(destination)/bin'
+	install -m 644 $(filter %.1,$(pages)) '$(man)/man1'
+	$(if $(filter %.5,$(pages)),install -m 644 $(filter %.5,$(pages)) \
+		'$(man)/man5')
+
+uninstall:
+	rm -f $(foreach name,$(program_names),'$(destination)/bin/$(name)') \
+		$(foreach page,$(notdir $(filter %.1,$(pages))),\
+		'$(man)/man1/$(page)') \
+		$(foreach page,$(notdir $(filter %.5,$(pages))),\
+		'$(man)/man5/$(page)')
+
+clean:
+	rm -rf build
+
+help:
+	@echo 'make demo       set up, build, turn a sample town into a GLB'
+	@echo 'make test       set up, build, run every test'
+	@echo 'make all        build the programs into $(bin)'
+	@echo 'make unit | cases | suites'
+	@echo '                build and run one kind of test'
+	@echo 'make cases-accept [CASES="tessera/help ..."]'
+	@echo '                rewrite the expectations of the cases'
+	@echo 'make lint       format, layering, sizes, man pages, scripts'
+	@echo 'make format     format the sources in place'
+	@echo 'make bench [BENCH="name ..."]'
+	@echo '                measure'
+	@echo 'make fuzz [NAME=name] [SECONDS=60]'
+	@echo '                fuzz one reader, or each in turn'
+	@echo 'make install    into $$(DESTDIR)$$(PREFIX): $(destination)'
+	@echo 'make uninstall | clean | help'
+	@echo
+	@echo 'config=debug|release|sanitize|fuzz  (now: $(config))'
+	@echo 'CC=clang        build with clang, in a folder of its own'
+	@echo 'WERROR=1 V=1    warnings are errors; show the commands'
