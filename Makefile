@@ -43,7 +43,7 @@ common := $(flags_$(config)) -pthread -Ilib -D_POSIX_C_SOURCE=200809L
 all_cflags = -std=c11 $(warnings_c) $(common) $(CPPFLAGS) $(CFLAGS)
 all_cxxflags = -std=c++17 $(warnings) $(common) $(CPPFLAGS) $(CXXFLAGS)
 all_ldflags = $(flags_$(config)) -pthread -Wl,--as-needed $(LDFLAGS)
-libs := -lxml2 -lproj -lGLU -ljansson -ltinygltf -lz -lm
+libs := -lxml2 -lproj -lGLU -ljansson -ltinygltf -ldeflate -lz -lm
 
 # ---- what is built ---------------------------------------------------------
 
