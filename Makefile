@@ -63,7 +63,7 @@ sources_in = $(filter-out $(addsuffix .c,$(all_programs)),\
 	$(wildcard $(1)/*.c $(1)/*.cpp))
 # `make V=1` shows the commands.
 show = $(if $(V),,@echo '  $(1) $@';)
-archive_of = $(if $(call sources_in,$(1)),$(build)/$(1).a)
+archive_of = $(if $(1),$(if $(call sources_in,$(1)),$(build)/$(1).a))
 # Tests link what they need of every folder; lib stands last.
 archives := $(strip $(foreach folder,parsers simplify writers lib,\
 	$(call archive_of,$(folder))))
@@ -85,7 +85,8 @@ $(foreach folder,$(folders),$(if $(call sources_in,$(folder)),\
 folder_of = $(patsubst %/,%,$(dir $(1)))
 define program_rule
 $(bin)/$(notdir $(1)): $(call objects_of,$(1).c) \
-	$(filter-out $(build)/lib.a,$(call archive_of,$(call folder_of,$(1)))) \
+	$(call archive_of,$(filter parsers simplify writers,\
+	$(call folder_of,$(1)))) \
 	$(build)/lib.a $(build)/flags
 	@mkdir -p $$(@D)
 	$$(call show,LD)$(if $(wildcard $(dir $(1))*.cpp),$$(CXX),$$(CC)) $$(all_ldflags) \
@@ -118,7 +119,9 @@ $(build)/flags: FORCE
 built_from = $(patsubst %.c,$(build)/%,$(wildcard $(1)))
 unit_tests := $(call built_from,tests/unit/*_test.c)
 benches := $(call built_from,tests/bench/*_bench.c)
-generators := $(call built_from,samples/*.c)
+generators := $(call built_from,samples/make*.c)
+generator_parts := $(addprefix $(build)/,$(patsubst %.c,%.o,$(filter-out \
+	$(wildcard samples/make*.c),$(wildcard samples/*.c))))
 fuzzers := $(patsubst tests/fuzz/%_fuzz.c,$(build)/fuzz/%,\
 	$(wildcard tests/fuzz/*_fuzz.c))
 link_test = $(call show,LD)$(CXX) $(all_ldflags) -o $@ $(filter %.o %.a,$^) $(libs)
@@ -126,7 +129,8 @@ link_test = $(call show,LD)$(CXX) $(all_ldflags) -o $@ $(filter %.o %.a,$^) $(li
 $(unit_tests) $(benches): $(build)/%: $(build)/%.o $(archives) $(build)/flags
 	$(link_test)
 
-$(generators): $(build)/%: $(build)/%.o $(build)/lib.a $(build)/flags
+$(generators): $(build)/%: $(build)/%.o $(generator_parts) $(build)/lib.a \
+		$(build)/flags
 	$(link_test)
 
 $(fuzzers): $(build)/fuzz/%: $(build)/tests/fuzz/%_fuzz.o $(archives) \

@@ -37,9 +37,11 @@ struct tcs_fault {
 #if defined(__GNUC__)
 #define TCS_CHECKED __attribute__((warn_unused_result))
 #define TCS_PRINTF(text, first) __attribute__((format(printf, text, first)))
+#define TCS_NORETURN __attribute__((noreturn))
 #else
 #define TCS_CHECKED
 #define TCS_PRINTF(text, first)
+#define TCS_NORETURN
 #endif
 
 /*

@@ -28,21 +28,41 @@ struct parse {
 
 /* ---- the end of it ------------------------------------------------------ */
 
-static _Noreturn void usage(const struct program *program, const char *format,
-	...) TCS_PRINTF(2, 3);
+static void say(const struct program *program, const char *format, va_list list)
+	TCS_PRINTF(2, 0);
+static void usage(const struct program *program, const char *format, ...)
+	TCS_PRINTF(2, 3) TCS_NORETURN;
 
-static _Noreturn void
-usage(const struct program *program, const char *format, ...)
+static void
+say(const struct program *program, const char *format, va_list list)
 {
 	char text[MAX_FAULT];
-	va_list list;
 
-	va_start(list, format);
 	vsnprintf(text, sizeof text, format, list);
-	va_end(list);
 	fprintf(stderr, "%s: ", program->name);
 	plain_print(stderr, text);
 	putc('\n', stderr);
+}
+
+static void
+usage(const struct program *program, const char *format, ...)
+{
+	va_list list;
+
+	va_start(list, format);
+	say(program, format, list);
+	va_end(list);
+	exit(EXIT_USAGE);
+}
+
+void
+program_usage(const struct command *command, const char *format, ...)
+{
+	va_list list;
+
+	va_start(list, format);
+	say(command->program, format, list);
+	va_end(list);
 	exit(EXIT_USAGE);
 }
 
@@ -466,17 +486,13 @@ program_begin(const struct program *program, int argc, char **argv,
 void
 program_warn(const struct command *command, const char *format, ...)
 {
-	char text[MAX_FAULT];
 	va_list list;
 
 	if (command->quiet)
 		return;
 	va_start(list, format);
-	vsnprintf(text, sizeof text, format, list);
+	say(command->program, format, list);
 	va_end(list);
-	fprintf(stderr, "%s: ", command->program->name);
-	plain_print(stderr, text);
-	putc('\n', stderr);
 }
 
 /* Faults of what arrived; the others name their file themselves. */

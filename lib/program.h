@@ -92,6 +92,10 @@ struct command {
 void program_begin(const struct program *program, int argc, char **argv,
 	struct command *out);
 
+/* Wrong usage that only the program can see: "name: text" and exit 2. */
+void program_usage(const struct command *command, const char *format, ...)
+	TCS_PRINTF(2, 3) TCS_NORETURN;
+
 /* "name: text", to standard error unless quiet. */
 void program_warn(const struct command *command, const char *format, ...)
 	TCS_PRINTF(2, 3);

@@ -1,0 +1,408 @@
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#include "crew.h"
+#include "output.h"
+#include "pipeline.h"
+#include "program.h"
+
+enum { MAX_TAKERS = 4, MAX_NAME = 4096, MAX_NUMBER = 24 };
+
+/* A format by the end of a file's name, and who reads and writes it. */
+struct format {
+	const char *suffix;
+	const char *reader; /* into the stream; NULL: nobody */
+	const char *writer; /* out of it; NULL: nobody */
+	bool packs; /* the reader takes ".gz" behind the suffix */
+};
+
+#define STREAM "" /* the format is the stream: no program is needed */
+
+static const struct format formats[] = {
+	{"gml", "citygml2tcs", "tcs2citygml", true},
+	{"xml", "citygml2tcs", "tcs2citygml", true},
+	{"citygml", "citygml2tcs", "tcs2citygml", true},
+	{"ifc", "ifc2tcs", NULL, true},
+	{"ifcxml", "ifc2tcs", NULL, true},
+	{"ifczip", "ifc2tcs", NULL, false},
+	{"tcs", STREAM, STREAM, false},
+	{"json", "json2tcs", "tcs2json", true},
+	{"jsonl", "json2tcs", "tcs2json", true},
+	{"glb", NULL, "tcs2gltf", false},
+	{"gltf", NULL, "tcs2gltf", false},
+};
+
+enum { FORMATS = sizeof formats / sizeof *formats };
+
+/* An option handed on to the first stage of the pipe that takes it. */
+struct passed {
+	const char *option;
+	const char *takers[MAX_TAKERS];
+	const char *value;
+	bool given;
+};
+
+/* What to run, and how. */
+struct plan {
+	struct command command;
+	struct pipeline pipeline;
+	const char *from, *to; /* suffixes that --from and --to name */
+	bool dry_run;
+	char folder[MAX_NAME]; /* of the stages' --stats; "" for none */
+};
+
+/* ---- formats ------------------------------------------------------------ */
+
+/* The format whose suffix `name` of `length` ends in, behind a dot. */
+static const struct format *
+format_of_length(const char *name, size_t length)
+{
+	for (size_t i = 0; i < FORMATS; i++) {
+		size_t own = strlen(formats[i].suffix);
+
+		if (length > own + 1 && name[length - own - 1] == '.' &&
+			!strncasecmp(
+				name + length - own, formats[i].suffix, own))
+			return &formats[i];
+	}
+	return NULL;
+}
+
+static const struct format *
+format_of(const char *name)
+{
+	size_t length = strlen(name);
+	const struct format *format = format_of_length(name, length);
+
+	if (format || length < 3 || strcasecmp(name + length - 3, ".gz") != 0)
+		return format;
+	format = format_of_length(name, length - 3);
+	return format && format->packs ? format : NULL;
+}
+
+static const char *
+note_suffix(void *target, const char *argument)
+{
+	for (size_t i = 0; i < FORMATS; i++)
+		if (!strcasecmp(formats[i].suffix, argument)) {
+			*(const char **)target = formats[i].suffix;
+			return NULL;
+		}
+	return "not a format: gml, ifc, tcs, json, glb, gltf";
+}
+
+/* By the option, else by the file's name; wrong usage when neither tells. */
+static const struct format *
+choose_format(const struct command *command, const char *suffix,
+	const char *name, const char *option)
+{
+	const struct format *format = NULL;
+
+	for (size_t i = 0; suffix && i < FORMATS; i++)
+		if (!strcmp(formats[i].suffix, suffix))
+			return &formats[i];
+	if (name)
+		format = format_of(name);
+	if (!format && name)
+		program_usage(command,
+			"%s: the name tells no format; name one with %s", name,
+			option);
+	if (!format)
+		program_usage(command, "a standard stream needs its format: %s",
+			option);
+	return format;
+}
+
+/* ---- stages ------------------------------------------------------------- */
+
+static enum tcs_status
+add_option(struct plan *plan, size_t stage, const char *option,
+	const char *value, struct tcs_fault *fault)
+{
+	enum tcs_status status =
+		pipeline_argument(&plan->pipeline, stage, option, fault);
+
+	if (!status && value)
+		status =
+			pipeline_argument(&plan->pipeline, stage, value, fault);
+	return status;
+}
+
+/* A stage with the passed options it is the first to take. */
+static enum tcs_status
+add_stage(struct plan *plan, const char *program, struct passed *passed,
+	struct tcs_fault *fault)
+{
+	size_t stage = plan->pipeline.stages.count;
+	enum tcs_status status = pipeline_add(&plan->pipeline, program, fault);
+
+	for (; !status && passed->option; passed++)
+		for (int i = 0; passed->given && i < MAX_TAKERS; i++) {
+			if (!passed->takers[i] ||
+				strcmp(passed->takers[i], program) != 0)
+				continue;
+			status = add_option(plan, stage, passed->option,
+				passed->value, fault);
+			passed->given = false;
+		}
+	return status;
+}
+
+static enum tcs_status
+make_plan(struct plan *plan, struct passed *passed, struct tcs_fault *fault)
+{
+	const struct command *command = &plan->command;
+	const struct format *from = choose_format(
+		command, plan->from, command->input, "--from FORMAT");
+	const struct format *to = choose_format(
+		command, plan->to, command->output, "--to FORMAT");
+	const char *reader = from->reader, *writer = to->writer;
+	enum tcs_status status = TCS_OK;
+
+	if (!reader)
+		program_usage(command, ".%s is an output format", from->suffix);
+	if (!writer)
+		program_usage(command, ".%s is an input format", to->suffix);
+	if (!*reader && !*writer)
+		program_usage(command, "both ends are streams: nothing to do");
+	if (*reader)
+		status = add_stage(plan, reader, passed, fault);
+	if (!status && *writer)
+		status = add_stage(plan, writer, passed, fault);
+	for (; !status && passed->option; passed++)
+		if (passed->given)
+			program_usage(command, "no stage of this pipe takes %s",
+				passed->option);
+	return status;
+}
+
+/* ---- what every stage takes --------------------------------------------- */
+
+static void
+stats_name(const struct plan *plan, size_t stage, char name[], size_t room)
+{
+	snprintf(name, room, "%s/%zu", plan->folder, stage + 1);
+}
+
+static enum tcs_status
+add_common(struct plan *plan, size_t stage, struct tcs_fault *fault)
+{
+	const struct command *command = &plan->command;
+	enum tcs_status status = TCS_OK;
+	char text[MAX_NAME + MAX_NUMBER];
+
+	if (command->jobs != crew_processors()) {
+		snprintf(text, sizeof text, "%u", command->jobs);
+		status = add_option(plan, stage, "-j", text, fault);
+	}
+	if (!status && command->quiet)
+		status = add_option(plan, stage, "-q", NULL, fault);
+	for (unsigned i = 0; !status && i < command->verbose; i++)
+		status = add_option(plan, stage, "-v", NULL, fault);
+	if (!status && command->strict)
+		status = add_option(plan, stage, "--strict", NULL, fault);
+	if (!status && *plan->folder) {
+		stats_name(plan, stage, text, sizeof text);
+		status = add_option(plan, stage, "--stats", text, fault);
+	}
+	return status;
+}
+
+static enum tcs_status
+add_files(struct plan *plan, struct tcs_fault *fault)
+{
+	const struct command *command = &plan->command;
+	size_t last = plan->pipeline.stages.count - 1;
+	enum tcs_status status = TCS_OK;
+
+	if (command->output)
+		status = add_option(plan, last, "-o", command->output, fault);
+	if (!status && command->input)
+		status = *command->input == '-'
+			? add_option(plan, 0, "--", command->input, fault)
+			: add_option(plan, 0, command->input, NULL, fault);
+	return status;
+}
+
+/* ---- statistics --------------------------------------------------------- */
+
+static enum tcs_status
+make_folder(struct plan *plan, struct tcs_fault *fault)
+{
+	const char *parent = getenv("TMPDIR");
+	int length = snprintf(plan->folder, sizeof plan->folder,
+		"%s/tessera-XXXXXX", parent && *parent ? parent : "/tmp");
+
+	if (length >= (int)sizeof plan->folder)
+		errno = ENAMETOOLONG;
+	else if (mkdtemp(plan->folder))
+		return TCS_OK;
+	*plan->folder = '\0';
+	return fault_system(fault, "cannot write", "a temporary folder");
+}
+
+static void
+remove_folder(const struct plan *plan)
+{
+	char name[MAX_NAME + MAX_NUMBER];
+
+	if (!*plan->folder)
+		return;
+	for (size_t i = 0; i < plan->pipeline.stages.count; i++) {
+		stats_name(plan, i, name, sizeof name);
+		unlink(name);
+	}
+	rmdir(plan->folder);
+}
+
+static enum tcs_status
+copy_file(const char *name, FILE *to, struct tcs_fault *fault)
+{
+	char bytes[4096];
+	FILE *file = fopen(name, "rb");
+	size_t got;
+	bool bad;
+
+	if (!file)
+		return fault_system(fault, "cannot read", name);
+	while ((got = fread(bytes, 1, sizeof bytes, file)) > 0)
+		fwrite(bytes, 1, got, to);
+	bad = ferror(file);
+	fclose(file);
+	return bad ? fault_system(fault, "cannot read", name) : TCS_OK;
+}
+
+/* One object, the stages' own objects in an array in it. */
+static enum tcs_status
+write_stats(const struct plan *plan, struct tcs_fault *fault)
+{
+	struct output output;
+	enum tcs_status status =
+		output_open(&output, plan->command.stats, fault);
+
+	if (status)
+		return status;
+	fputs("{\"program\": \"tessera\", \"version\": \"" TESSERA_VERSION
+	      "\",\n \"stages\": [\n",
+		output.file);
+	for (size_t i = 0; !status && i < plan->pipeline.stages.count; i++) {
+		char name[MAX_NAME + MAX_NUMBER];
+
+		if (i)
+			fputs(",\n", output.file);
+		stats_name(plan, i, name, sizeof name);
+		status = copy_file(name, output.file, fault);
+	}
+	if (status) {
+		output_discard(&output);
+		return status;
+	}
+	fputs("]}\n", output.file);
+	return output_commit(&output, fault);
+}
+
+/* ---- the run ------------------------------------------------------------ */
+
+/*
+ * A stage has said itself what is wrong; this adds which one it was. A signal
+ * is passed on to ourselves once everything is cleaned up.
+ */
+static int
+run(struct plan *plan)
+{
+	struct tcs_fault fault = {.at = TCS_NOWHERE};
+	int exit_status, number;
+	enum tcs_status status =
+		pipeline_run(&plan->pipeline, &exit_status, &number, &fault);
+
+	if (!status && *plan->folder) {
+		status = write_stats(plan, &fault);
+		exit_status = status ? EXIT_FAILED : EXIT_DONE;
+	}
+	remove_folder(plan);
+	if (number) {
+		signal(number, SIG_DFL);
+		raise(number);
+	}
+	if (status)
+		program_fail(&plan->command, &fault);
+	return exit_status == EXIT_DONE || exit_status == EXIT_USAGE
+		? exit_status
+		: EXIT_FAILED;
+}
+
+static int
+prepare_and_run(struct plan *plan, struct passed *passed)
+{
+	const struct command *command = &plan->command;
+	struct tcs_fault fault = {.at = TCS_NOWHERE};
+	enum tcs_status status = make_plan(plan, passed, &fault);
+
+	if (!status && command->stats && !plan->dry_run)
+		status = make_folder(plan, &fault);
+	for (size_t i = 0; !status && i < plan->pipeline.stages.count; i++)
+		status = add_common(plan, i, &fault);
+	if (!status)
+		status = add_files(plan, &fault);
+	if (status) {
+		remove_folder(plan);
+		return program_fail(command, &fault);
+	}
+	if (!plan->dry_run)
+		return run(plan);
+	pipeline_print(&plan->pipeline, stdout);
+	return fflush(stdout) ? EXIT_FAILED : EXIT_DONE;
+}
+
+static const char *
+note_passed(void *target, const char *argument)
+{
+	struct passed *passed = target;
+
+	passed->given = true;
+	passed->value = argument;
+	return NULL;
+}
+
+int
+main(int argc, char **argv)
+{
+	enum { LOD };
+	struct passed passed[] = {
+		[LOD] = {"--lod", {"citygml2tcs", "tcs2gltf"}, NULL, false},
+		{NULL, {NULL}, NULL, false},
+	};
+	struct plan plan = {.folder = ""};
+	const struct option_row options[] = {
+		{OPTION_PARSE, 0, "from", "FORMAT",
+			"Read FORMAT, whatever the input is called.",
+			&plan.from, 0, 0, note_suffix},
+		{OPTION_PARSE, 0, "to", "FORMAT",
+			"Write FORMAT, whatever the output is called.",
+			&plan.to, 0, 0, note_suffix},
+		{OPTION_PARSE, 0, "lod", "N",
+			"Take level of detail N (default: the highest of each "
+			"feature).",
+			&passed[LOD], 0, 0, note_passed},
+		{OPTION_FLAG, 'n', "dry-run", NULL,
+			"Print the pipe instead of running it.", &plan.dry_run,
+			0, 0, NULL},
+		{0},
+	};
+	const struct program program = {"tessera", "[options] in -o out",
+		"Convert a city or building model, by its file names, through "
+		"the programs for its formats.",
+		options, PROGRAM_READS};
+	int result;
+
+	program_begin(&program, argc, argv, &plan.command);
+	result = prepare_and_run(&plan, passed);
+	pipeline_release(&plan.pipeline);
+	program_end(&plan.command);
+	return result;
+}
