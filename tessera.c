@@ -165,11 +165,13 @@ make_plan(struct plan *plan, struct passed *passed, struct tcs_fault *fault)
 	enum tcs_status status = TCS_OK;
 
 	if (!reader)
-		program_usage(command, ".%s is an output format", from->suffix);
+		program_usage(
+			command, ".%s is written, not read", from->suffix);
 	if (!writer)
-		program_usage(command, ".%s is an input format", to->suffix);
+		program_usage(command, ".%s is read, not written", to->suffix);
 	if (!*reader && !*writer)
-		program_usage(command, "both ends are streams: nothing to do");
+		program_usage(
+			command, "from .tcs to .tcs there is nothing to do");
 	if (*reader)
 		status = add_stage(plan, reader, passed, fault);
 	if (!status && *writer)

@@ -15,13 +15,14 @@
 #include "program_help.h"
 #include "utf8.h"
 
-enum { MAX_JOBS = 512, MAX_FAULT = 512, COMMON_ROWS = 9 };
+enum { MAX_JOBS = 512, MAX_FAULT = 512, MAX_RANGE = 64, COMMON_ROWS = 9 };
 
 /* What parsing has found beside the command itself. */
 struct parse {
 	struct command *command;
 	struct option_row common[COMMON_ROWS];
 	unsigned operands;
+	const char *output; /* as the second operand */
 	bool help, version;
 	TCS_ARRAY(char) arguments;
 };
@@ -291,18 +292,35 @@ remember(struct parse *parse, const struct option_row *row, const char *value)
 	return value ? append_word(parse, " ", value) : 0;
 }
 
+/* " (from 1 to 512)", " (at least 1)", or nothing. */
+static const char *
+range_of(const struct option_row *row, char range[MAX_RANGE])
+{
+	bool is_number =
+		row->type == OPTION_UNSIGNED || row->type == OPTION_NUMBER;
+
+	*range = '\0';
+	if (is_number && row->high > 0)
+		snprintf(range, MAX_RANGE, " (from %.15g to %.15g)", row->low,
+			row->high);
+	else if (is_number)
+		snprintf(range, MAX_RANGE, " (at least %.15g)", row->low);
+	return range;
+}
+
 static void
 apply(struct parse *parse, const struct option_row *row, const char *value)
 {
 	const struct program *program = parse->command->program;
 	char letter[] = {row->letter, '\0'};
-	const char *wrong;
+	char range[MAX_RANGE];
+	const char *wrong = set_value(row, value);
 
-	wrong = set_value(row, value);
 	if (wrong)
-		usage(program, "%s%s: %s%s%s", row->name ? "--" : "-",
-			row->name ? row->name : letter, value ? value : "",
-			value ? ": " : "", wrong);
+		usage(program, "%s%s%s%s%s: %s%s", row->name ? "--" : "-",
+			row->name ? row->name : letter, value ? " '" : "",
+			value ? value : "", value ? "'" : "", wrong,
+			range_of(row, range));
 	if (remember(parse, row, value))
 		out_of_memory(program);
 }
@@ -376,10 +394,7 @@ take_operand(struct parse *parse, const char *word)
 	if (reads && number == 0) {
 		command->input = word;
 	} else if (number == (reads ? 1U : 0U)) {
-		if (command->output)
-			usage(program, "the output is named twice: %s and %s",
-				command->output, word);
-		command->output = word;
+		parse->output = word;
 	} else {
 		usage(program, "one file too many: %s", word);
 	}
@@ -472,6 +487,11 @@ program_begin(const struct program *program, int argc, char **argv,
 		printf("%s (tessera) %s\n", program->name, TESSERA_VERSION);
 		leave_shown(program);
 	}
+	if (parse.output && out->output)
+		usage(program, "the output is named twice: %s and %s",
+			out->output, parse.output);
+	if (parse.output)
+		out->output = parse.output;
 	out->input = named_or_null(out->input);
 	out->output = named_or_null(out->output);
 	check_terminals(out);
