@@ -69,7 +69,8 @@ archives := $(strip $(foreach folder,parsers simplify writers lib,\
 	$(call archive_of,$(folder))))
 
 .PHONY: all demo test check unit cases suites cases-accept lint format bench \
-	fuzz install uninstall clean help demo-here test-here FORCE
+	fuzz install uninstall clean help demo-here test-here \
+	lint-build FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -185,7 +186,12 @@ endif
 
 lint:
 	@tests/packages.sh build lint
-	@tests/lint.sh
+	@$(in_parallel) all
+	@BUILD='$(abspath $(build))' tests/lint.sh
+
+# Everything that is C or C++, for the compilers' warnings.
+lint-build: all $(unit_tests) $(benches) $(generators) \
+	$(patsubst %.c,$(build)/%.o,$(wildcard tests/fuzz/*.c))
 
 format:
 	clang-format -i $$(tests/lint.sh --sources)

@@ -43,6 +43,15 @@ is() {
 	return 1
 }
 
+# silent COMMAND...: fail when the command prints anything, and show it.
+silent() {
+	local said
+	said=$("$@" 2>&1) || :
+	[[ ! $said ]] && return
+	echo "$said"
+	return 1
+}
+
 # status_is N COMMAND...: fail when the command ends otherwise.
 status_is() {
 	local want=$1 got=0

@@ -34,7 +34,7 @@ END
 }
 
 no_processes_left() {
-	! grep -l -a -s "$PWD/bin/" /proc/[0-9]*/cmdline
+	silent grep -l -a -s "$PWD/bin/" /proc/[0-9]*/cmdline
 }
 
 both_succeed() {
