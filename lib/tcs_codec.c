@@ -59,15 +59,6 @@ sections_next(struct section_walk *walk, struct section *out, bool *done,
 
 /* ---- decoding -------------------------------------------------------- */
 
-static const struct tcs_column *
-column_find(const struct tcs_layout *layout, uint32_t tag)
-{
-	for (size_t i = 0; i < layout->count; i++)
-		if (layout->columns[i].tag == tag)
-			return &layout->columns[i];
-	return NULL;
-}
-
 static void
 empty_all(void *kind, const struct tcs_layout *layout)
 {
@@ -91,7 +82,7 @@ lend_sections(void *out, const struct tcs_layout *layout,
 		status = sections_next(&walk, &section, &done, fault);
 		if (status || done)
 			break;
-		column = column_find(layout, section.tag);
+		column = layout_column(layout, section.tag);
 		if (!column || !section.count)
 			continue;
 		view = layout_array(column, out);
@@ -160,7 +151,7 @@ layout_check_text(const struct tcs_layout *layout, const void *kind,
 	uint64_t where, struct tcs_fault *fault)
 {
 	const struct tcs_column *text_column =
-		column_find(layout, TCS_TEXT_TAG);
+		layout_column(layout, TCS_TEXT_TAG);
 	struct tcs_array text = {0};
 	enum tcs_status status = TCS_OK;
 

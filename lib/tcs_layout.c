@@ -117,6 +117,15 @@ layout_array(const struct tcs_column *column, const void *kind)
 	return view;
 }
 
+const struct tcs_column *
+layout_column(const struct tcs_layout *layout, uint32_t tag)
+{
+	for (size_t i = 0; i < layout->count; i++)
+		if (layout->columns[i].tag == tag)
+			return &layout->columns[i];
+	return NULL;
+}
+
 tcs_text
 layout_text(const void *element, size_t at)
 {

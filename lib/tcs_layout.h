@@ -45,6 +45,10 @@ struct tcs_end {
 struct tcs_array layout_array(
 	const struct tcs_column *column, const void *kind);
 
+/* The column of a section; NULL for an unknown one. */
+const struct tcs_column *layout_column(
+	const struct tcs_layout *layout, uint32_t tag);
+
 /* Read a tcs_text of an element. */
 tcs_text layout_text(const void *element, size_t at);
 
