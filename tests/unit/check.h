@@ -18,7 +18,10 @@ struct check_test {
 	void (*run)(void);
 };
 
-#define CHECK_TEST(function) {#function, function}
+#define CHECK_TEST(function) \
+	{ \
+#function, function \
+	}
 
 static int check_failures;
 
