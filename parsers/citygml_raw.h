@@ -1,0 +1,107 @@
+/*
+ * One top-level feature as the XML parser leaves it: the feature tree with its
+ * attributes is done, geometry is still text, links are still names.
+ *
+ * The reading thread fills a raw object, a worker turns it into a tcs_object
+ * (citygml_build.h). All zero is empty; raw_clear keeps the room.
+ */
+#ifndef TESSERA_CITYGML_RAW_H
+#define TESSERA_CITYGML_RAW_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "array.h"
+#include "report.h"
+#include "tcs.h"
+
+/* A run of positions: a ring, a line string, a point. */
+struct raw_ring {
+	size_t first; /* its numbers: bytes of `positions` */
+	size_t length;
+	tcs_text id;
+	uint32_t pos_count; /* single positions in it */
+	bool has_list; /* a list of positions in it */
+	bool interior; /* bounds a hole */
+	uint8_t dimension; /* as declared; 0: not */
+};
+
+enum raw_shape { RAW_AREA, RAW_LINE, RAW_POINT };
+
+struct raw_polygon {
+	tcs_text id;
+	uint32_t first_ring; /* the outer ring first */
+	uint32_t ring_count;
+	uint32_t line; /* in the file, for messages */
+	uint32_t geometry; /* where it stands inline */
+	uint8_t shape; /* enum raw_shape */
+	bool swap; /* x and y come in the order north, east */
+	bool degrees; /* x and y are degrees */
+};
+
+/* One entry of a geometry: a polygon inline, or a link to others. */
+struct raw_member {
+	uint32_t polygon; /* TCS_NONE for a link */
+	tcs_text href; /* of a link: the id without '#', or a foreign URI */
+	uint32_t shell; /* raw_shell index; TCS_NONE outside solids */
+	bool reversed; /* below an odd number of orientation="-" */
+};
+
+struct raw_shell {
+	tcs_text id;
+	uint32_t geometry;
+	uint32_t solid; /* counted from 0 within the geometry */
+	bool interior;
+};
+
+/* A geometry property of a feature. */
+struct raw_geometry {
+	uint32_t feature;
+	tcs_text id;
+	tcs_text role;
+	uint32_t first_member, member_count;
+	uint32_t line;
+	uint8_t lod;
+	uint8_t kind; /* enum tcs_geometry_kind, or RAW_KIND_UNKNOWN */
+};
+
+#define RAW_KIND_UNKNOWN 255 /* the property only links */
+
+/* A geometry element with an id, as the members below it. */
+struct raw_target {
+	tcs_text id;
+	uint32_t first_member, member_end;
+	bool reversed; /* by the orientation around it, which links to it
+	                  do not see */
+};
+
+/* A material that a theme puts on whatever has this id. */
+struct raw_paint {
+	tcs_text theme;
+	tcs_text target;
+	uint32_t material; /* of the stream's palette */
+	bool back;
+};
+
+struct raw_object {
+	struct tcs_object tree; /* text, features, attributes, relations */
+	TCS_ARRAY(char) positions;
+	TCS_ARRAY(struct raw_ring) rings;
+	TCS_ARRAY(struct raw_polygon) polygons;
+	TCS_ARRAY(struct raw_member) members;
+	TCS_ARRAY(struct raw_shell) shells;
+	TCS_ARRAY(struct raw_geometry) geometries;
+	TCS_ARRAY(struct raw_target) targets;
+	TCS_ARRAY(struct raw_paint) paints;
+	struct report report; /* what the parser left out */
+	struct tcs_palette palette; /* new entries to write before it */
+	uint64_t number; /* counts top-level features of the file, from 0 */
+	bool has_links; /* a member links */
+	struct raw_object *next; /* of a list of ready or spare ones */
+};
+
+struct raw_object *raw_new(void); /* NULL without memory */
+void raw_free(struct raw_object *raw);
+void raw_clear(struct raw_object *raw);
+
+#endif

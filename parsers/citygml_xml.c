@@ -1,0 +1,263 @@
+#include "citygml_xml.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <libxml/parser.h>
+#include <libxml/parserInternals.h>
+
+#include "array.h"
+
+struct xml_parser {
+	const struct xml_handler *handler;
+	struct names *names;
+	xmlParserCtxtPtr context; /* made with the first bytes */
+	TCS_ARRAY(struct xml_attribute) attributes;
+	struct tcs_fault fault; /* the first failure */
+	enum tcs_status status;
+	bool began; /* the root element has been seen */
+};
+
+static void
+xml_stop(struct xml_parser *parser, enum tcs_status status)
+{
+	parser->status = status;
+	xmlStopParser(parser->context);
+}
+
+static const char *
+plain(const xmlChar *text)
+{
+	return (const char *)text;
+}
+
+/* Which CityGML the root or its namespace declarations speak of. */
+static void
+xml_find_version(struct xml_parser *parser, const xmlChar *uri, int count,
+	const xmlChar **namespaces)
+{
+	const char *version = names_version(plain(uri));
+
+	parser->began = true;
+	for (int i = 0; !version && i < count; i++)
+		version = names_version(plain(namespaces[2 * i + 1]));
+	if (!version)
+		return;
+	parser->names->spelled = version;
+	parser->names->version = *version == '3' ? 3 : 2;
+}
+
+static enum tcs_status
+xml_take_attributes(
+	struct xml_parser *parser, int count, const xmlChar **attributes)
+{
+	array_clear(&parser->attributes);
+	if (array_grow(&parser->attributes, (size_t)count))
+		return fault_memory(&parser->fault);
+	for (int i = 0; i < count; i++) {
+		const xmlChar **five = attributes + (size_t)i * 5;
+
+		parser->attributes.at[i] = (struct xml_attribute){
+			.local = plain(five[0]),
+			.prefix = plain(five[1]),
+			.uri = plain(five[2]),
+			.value = plain(five[3]),
+			.length = (size_t)(five[4] - five[3]),
+		};
+	}
+	parser->attributes.count = (size_t)count;
+	return TCS_OK;
+}
+
+static void
+xml_start(void *user, const xmlChar *local, const xmlChar *prefix,
+	const xmlChar *uri, int namespace_count, const xmlChar **namespaces,
+	int attribute_count, int defaulted, const xmlChar **attributes)
+{
+	struct xml_parser *parser = user;
+	enum tcs_status status;
+	struct name *name;
+
+	(void)defaulted;
+	if (parser->status)
+		return;
+	if (!parser->began)
+		xml_find_version(parser, uri, namespace_count, namespaces);
+	name = names_find(
+		parser->names, plain(local), plain(prefix), plain(uri));
+	status = name ? xml_take_attributes(parser, attribute_count, attributes)
+		      : fault_memory(&parser->fault);
+	if (!status)
+		status = parser->handler->start(parser->handler->context, name,
+			parser->attributes.at, parser->attributes.count,
+			&parser->fault);
+	if (status)
+		xml_stop(parser, status);
+}
+
+static void
+xml_end(void *user, const xmlChar *local, const xmlChar *prefix,
+	const xmlChar *uri)
+{
+	struct xml_parser *parser = user;
+	enum tcs_status status;
+
+	(void)local;
+	(void)prefix;
+	(void)uri;
+	if (parser->status)
+		return;
+	status = parser->handler->end(parser->handler->context, &parser->fault);
+	if (status)
+		xml_stop(parser, status);
+}
+
+static void
+xml_text(void *user, const xmlChar *bytes, int length)
+{
+	struct xml_parser *parser = user;
+	enum tcs_status status;
+
+	if (parser->status)
+		return;
+	status = parser->handler->text(parser->handler->context, plain(bytes),
+		(size_t)length, &parser->fault);
+	if (status)
+		xml_stop(parser, status);
+}
+
+static void
+xml_entity_declared(void *user, const xmlChar *name, int type,
+	const xmlChar *public_id, const xmlChar *system_id, xmlChar *content)
+{
+	struct xml_parser *parser = user;
+
+	(void)type;
+	(void)public_id;
+	(void)system_id;
+	(void)content;
+	if (!parser->status)
+		xml_stop(parser,
+			fault_set(&parser->fault, TCS_BAD_INPUT, TCS_NOWHERE,
+				"line %u: entity declarations are refused: "
+				"%.60s",
+				xml_line(parser), plain(name)));
+}
+
+/* Errors are collected by libxml2 and read from its context. */
+static void
+xml_quiet(void *user, xmlErrorPtr error)
+{
+	(void)user;
+	(void)error;
+}
+
+static xmlSAXHandler
+xml_callbacks(void)
+{
+	return (xmlSAXHandler){
+		.initialized = XML_SAX2_MAGIC,
+		.startElementNs = xml_start,
+		.endElementNs = xml_end,
+		.characters = xml_text,
+		.ignorableWhitespace = xml_text,
+		.cdataBlock = xml_text,
+		.entityDecl = xml_entity_declared,
+		.serror = xml_quiet,
+	};
+}
+
+struct xml_parser *
+xml_new(const struct xml_handler *handler, struct names *names)
+{
+	struct xml_parser *parser = calloc(1, sizeof *parser);
+
+	if (!parser)
+		return NULL;
+	parser->handler = handler;
+	parser->names = names;
+	return parser;
+}
+
+void
+xml_free(struct xml_parser *parser)
+{
+	if (!parser)
+		return;
+	names_release(parser->names);
+	if (parser->context) {
+		if (parser->context->myDoc)
+			xmlFreeDoc(parser->context->myDoc);
+		xmlFreeParserCtxt(parser->context);
+	}
+	array_release(&parser->attributes);
+	free(parser);
+}
+
+uint32_t
+xml_line(const struct xml_parser *parser)
+{
+	if (!parser->context || !parser->context->input)
+		return 1;
+	return (uint32_t)parser->context->input->line;
+}
+
+/* The context takes its first bytes at once, to see the encoding. */
+static enum tcs_status
+xml_begin(struct xml_parser *parser, const char *bytes, int length)
+{
+	xmlSAXHandler callbacks = xml_callbacks();
+
+	parser->context = xmlCreatePushParserCtxt(
+		&callbacks, parser, bytes, length, NULL);
+	if (!parser->context)
+		return fault_memory(&parser->fault);
+	xmlCtxtUseOptions(parser->context,
+		XML_PARSE_HUGE | XML_PARSE_NONET | XML_PARSE_NOENT);
+	return TCS_OK;
+}
+
+static enum tcs_status
+xml_malformed(struct xml_parser *parser, struct tcs_fault *fault)
+{
+	const xmlError *error = xmlCtxtGetLastError(parser->context);
+	const char *text =
+		error && error->message ? error->message : "not well-formed";
+	int line = error ? error->line : 1;
+
+	return fault_set(fault, TCS_BAD_INPUT, TCS_NOWHERE,
+		"line %d: not well-formed XML: %.*s", line,
+		(int)strcspn(text, "\n"), text);
+}
+
+enum tcs_status
+xml_feed(struct xml_parser *parser, const char *bytes, size_t length,
+	struct tcs_fault *fault)
+{
+	bool last = length == 0;
+
+	if (!parser->context && !parser->status) {
+		int first = length < 4 ? (int)length : 4;
+
+		parser->status = xml_begin(parser, bytes, first);
+		bytes += first;
+		length -= (size_t)first;
+	}
+	while (!parser->status && (length || last)) {
+		int part = length > INT_MAX / 2 ? INT_MAX / 2 : (int)length;
+
+		xmlParseChunk(parser->context, bytes, part, last);
+		bytes += part;
+		length -= (size_t)part;
+		if (parser->status)
+			break;
+		if (!parser->context->wellFormed)
+			return xml_malformed(parser, fault);
+		if (last)
+			break;
+	}
+	if (parser->status)
+		*fault = parser->fault;
+	return parser->status;
+}

@@ -1,0 +1,55 @@
+/*
+ * XML as events: libxml2's SAX2 push parser behind three calls.
+ *
+ * No network, no DTD, no entities but the predefined ones: a declared entity
+ * ends the parse. Undeclared prefixes pass. Text is UTF-8 whatever the file's
+ * encoding, and arrives in pieces.
+ */
+#ifndef TESSERA_CITYGML_XML_H
+#define TESSERA_CITYGML_XML_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "citygml_names.h"
+#include "fault.h"
+
+struct xml_attribute {
+	const char *local; /* interned */
+	const char *prefix; /* interned; NULL for none */
+	const char *uri; /* interned; NULL for none */
+	const char *value; /* not terminated */
+	size_t length;
+};
+
+struct xml_handler {
+	void *context;
+	/* `name` and `attributes` live until the call returns. */
+	enum tcs_status (*start)(void *context, struct name *name,
+		const struct xml_attribute *attributes, size_t count,
+		struct tcs_fault *fault);
+	enum tcs_status (*end)(void *context, struct tcs_fault *fault);
+	enum tcs_status (*text)(void *context, const char *bytes, size_t length,
+		struct tcs_fault *fault);
+};
+
+struct xml_parser;
+
+/* NULL without memory. `handler` and `names` must outlive the parser; names
+ * are released with it, since they point into its dictionary. */
+struct xml_parser *xml_new(
+	const struct xml_handler *handler, struct names *names);
+void xml_free(struct xml_parser *parser);
+
+/*
+ * Parse the next bytes; length 0 ends the document. Fails with TCS_BAD_INPUT
+ * and the line for what is not well-formed, and with what a handler returned.
+ */
+enum tcs_status xml_feed(struct xml_parser *parser, const char *bytes,
+	size_t length, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The line being parsed, from 1. */
+uint32_t xml_line(const struct xml_parser *parser);
+
+#endif
