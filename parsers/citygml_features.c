@@ -1,0 +1,659 @@
+/*
+ * Features, the properties below them, and the attributes these become.
+ *
+ * A property is what its content turns out to be: a feature begins a child, a
+ * geometry begins a geometry, text makes an attribute, and further elements
+ * make a set of attributes. An attribute is made only when its first text
+ * comes, its sets before it.
+ */
+#include "citygml_reader.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "number.h"
+
+/* ---- attributes ------------------------------------------------------------ */
+
+static struct tcs_attribute *
+attribute_at(struct gml_reader *reader, uint32_t index)
+{
+	return &reader->raw->tree.attributes.at[index];
+}
+
+static enum tcs_status
+attribute_add(struct gml_reader *reader, uint32_t feature, uint32_t parent,
+	enum tcs_attribute_type type, uint32_t *out, struct tcs_fault *fault)
+{
+	struct tcs_object *tree = &reader->raw->tree;
+
+	if (array_grow(&tree->attributes, 1))
+		return fault_memory(fault);
+	*out = (uint32_t)tree->attributes.count;
+	tree->attributes.at[tree->attributes.count++] = (struct tcs_attribute){
+		.number = NAN,
+		.feature = feature,
+		.parent = parent,
+		.type = (uint16_t)type,
+	};
+	return TCS_OK;
+}
+
+static double
+boolean_of(const char *at, size_t length)
+{
+	if ((length == 4 && !memcmp(at, "true", 4)) ||
+		(length == 1 && *at == '1'))
+		return 1;
+	if ((length == 5 && !memcmp(at, "false", 5)) ||
+		(length == 1 && *at == '0'))
+		return 0;
+	return NAN;
+}
+
+static double
+number_of(enum tcs_attribute_type type, const char *at, size_t length)
+{
+	double number;
+
+	switch (type) {
+	case TCS_INTEGER:
+	case TCS_DOUBLE:
+	case TCS_MEASURE:
+		if (length && *at == '+')
+			at++, length--;
+		if (number_parse(at, at + length, &number) != at + length)
+			return NAN;
+		return isfinite(number) ? number : NAN;
+	case TCS_BOOLEAN:
+		return boolean_of(at, length);
+	default:
+		return NAN;
+	}
+}
+
+static enum tcs_status
+attribute_set_value(struct gml_reader *reader, uint32_t index, const char *at,
+	size_t length, struct tcs_fault *fault)
+{
+	struct tcs_attribute *attribute = attribute_at(reader, index);
+
+	attribute->number = number_of(attribute->type, at, length);
+	return gml_text(reader, at, length, &attribute->value, fault);
+}
+
+/* The namespace prefix of names that are not CityGML's or GML's. */
+static enum tcs_status
+attribute_set_name(struct gml_reader *reader, uint32_t index, struct name *name,
+	struct tcs_fault *fault)
+{
+	struct tcs_attribute *attribute = attribute_at(reader, index);
+	enum tcs_status status;
+
+	status = gml_name_text(reader, name, &attribute->name, fault);
+	if (status || name->space != SPACE_OTHER)
+		return status;
+	return gml_text(reader, name->prefix, strlen(name->prefix),
+		&attribute->space, fault);
+}
+
+/* The frame of the property or element that an attribute would come from. */
+static bool
+is_attribute_frame(const struct frame *frame)
+{
+	return frame->role == ROLE_PROPERTY || frame->role == ROLE_ATTRIBUTE;
+}
+
+/*
+ * Make the attribute of a frame, and of those around it up to the property,
+ * outermost first.
+ */
+static enum tcs_status
+frame_make_attribute(
+	struct gml_reader *reader, size_t index, struct tcs_fault *fault)
+{
+	size_t first = index;
+
+	while (first > 0 && is_attribute_frame(&reader->frames.at[first]) &&
+		reader->frames.at[first].role != ROLE_PROPERTY &&
+		reader->frames.at[first].attribute == TCS_NONE)
+		first--;
+	for (; first <= index; first++) {
+		struct frame *frame = &reader->frames.at[first];
+		uint32_t parent = reader->frames.at[first - 1].attribute;
+		enum tcs_status status;
+
+		if (frame->attribute != TCS_NONE)
+			continue;
+		if (frame->role == ROLE_PROPERTY)
+			parent = TCS_NONE;
+		status = attribute_add(reader, frame->feature, parent, TCS_SET,
+			&frame->attribute, fault);
+		if (!status)
+			status = attribute_set_name(
+				reader, frame->attribute, frame->name, fault);
+		if (status)
+			return status;
+		attribute_at(reader, frame->attribute)->unit = frame->unit;
+		attribute_at(reader, frame->attribute)->code_space =
+			frame->code_space;
+	}
+	return TCS_OK;
+}
+
+/* An XML attribute that is no reference, id or unit: a member "@name". */
+static bool
+is_plain_attribute(const struct xml_attribute *attribute)
+{
+	static const char *const known[] = {"id", "gml_id", "uom", "codeSpace",
+		"srsName", "srsDimension", "type", "schemaLocation", "nil",
+		"lang", "space"};
+	bool is_link = attribute->prefix && !strcmp(attribute->prefix, "xlink");
+
+	if (!strcmp(attribute->local, "type") && !attribute->prefix)
+		return true;
+	for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+		if (!strcmp(attribute->local, known[i]))
+			return false;
+	return !is_link || !strcmp(attribute->local, "href");
+}
+
+static enum tcs_status
+frame_add_member(struct gml_reader *reader, size_t index, const char *local,
+	const char *value, size_t length, struct tcs_fault *fault)
+{
+	char name[128] = "@";
+	enum tcs_status status;
+	uint32_t member;
+
+	status = frame_make_attribute(reader, index, fault);
+	if (status)
+		return status;
+	status = attribute_add(reader, reader->frames.at[index].feature,
+		reader->frames.at[index].attribute, TCS_STRING, &member, fault);
+	if (status)
+		return status;
+	strncat(name, local, sizeof name - 2);
+	status = gml_text(reader, name, strlen(name),
+		&attribute_at(reader, member)->name, fault);
+	if (status)
+		return status;
+	return attribute_set_value(reader, member, value, length, fault);
+}
+
+static enum tcs_status
+frame_add_members(struct gml_reader *reader,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	size_t index = reader->frames.count - 1;
+
+	for (size_t i = 0; i < count; i++) {
+		enum tcs_status status;
+
+		if (!is_plain_attribute(&attributes[i]))
+			continue;
+		status = frame_add_member(reader, index, attributes[i].local,
+			attributes[i].value, attributes[i].length, fault);
+		if (status)
+			return status;
+	}
+	return TCS_OK;
+}
+
+/* uom and codeSpace wait in the frame for the attribute. */
+static enum tcs_status
+frame_take_unit(struct gml_reader *reader, struct frame *frame,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	const struct xml_attribute *unit =
+		attribute_find(attributes, count, "uom");
+	const struct xml_attribute *space =
+		attribute_find(attributes, count, "codeSpace");
+	enum tcs_status status = TCS_OK;
+
+	if (unit)
+		status = gml_text(
+			reader, unit->value, unit->length, &frame->unit, fault);
+	if (!status && space)
+		status = gml_text(reader, space->value, space->length,
+			&frame->code_space, fault);
+	return status;
+}
+
+static enum tcs_attribute_type
+type_of(const struct frame *frame)
+{
+	if (frame->unit)
+		return TCS_MEASURE;
+	if (frame->code_space)
+		return TCS_CODE;
+	return frame->name->attribute;
+}
+
+/* The element was a leaf with text. */
+static enum tcs_status
+attribute_finish(
+	struct gml_reader *reader, size_t index, struct tcs_fault *fault)
+{
+	struct tcs_attribute *attribute;
+	enum tcs_status status;
+	const char *at;
+	size_t length;
+
+	gml_trimmed(reader, &at, &length);
+	if (!length)
+		return TCS_OK;
+	status = frame_make_attribute(reader, index, fault);
+	if (status)
+		return status;
+	attribute = attribute_at(reader, reader->frames.at[index].attribute);
+	attribute->type = (uint16_t)type_of(&reader->frames.at[index]);
+	return attribute_set_value(
+		reader, reader->frames.at[index].attribute, at, length, fault);
+}
+
+/* ---- generic attributes -------------------------------------------------- */
+
+static enum tcs_status
+generic_begin(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	const struct frame *parent = gml_top(reader);
+	const struct xml_attribute *given =
+		attribute_find(attributes, count, "name");
+	uint32_t set =
+		parent->role == ROLE_GENERIC ? parent->attribute : TCS_NONE;
+	uint32_t feature = parent->feature;
+	struct tcs_attribute *attribute;
+	enum tcs_status status;
+	struct frame *frame;
+
+	status = gml_push(reader, name, ROLE_GENERIC, &frame, fault);
+	if (!status)
+		status = attribute_add(reader, feature, set, name->attribute,
+			&frame->attribute, fault);
+	if (!status)
+		status = frame_take_unit(
+			reader, frame, attributes, count, fault);
+	if (status)
+		return status;
+	attribute = attribute_at(reader, frame->attribute);
+	attribute->flags = TCS_ATTRIBUTE_GENERIC;
+	attribute->code_space = frame->code_space;
+	if (!given)
+		return TCS_OK;
+	return gml_text(
+		reader, given->value, given->length, &attribute->name, fault);
+}
+
+/* Below a generic attribute: its name or value; below a set: its members. */
+static enum tcs_status
+generic_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	uint32_t attribute = gml_top(reader)->attribute;
+	enum tcs_status status;
+	struct frame *frame;
+
+	if (name->kind == NAME_GENERIC_ATTRIBUTE)
+		return generic_begin(reader, name, attributes, count, fault);
+	if (strcmp(name->local, "name") && strcmp(name->local, "value")) {
+		/* gen:genericAttribute, the property around a member */
+		status = gml_push(reader, name, ROLE_GENERIC, &frame, fault);
+		if (!status)
+			frame->attribute = attribute;
+		return status;
+	}
+	status = gml_push(reader, name, ROLE_GENERIC_PART, &frame, fault);
+	if (status)
+		return status;
+	frame->wants_text = true;
+	frame->attribute = attribute;
+	return frame_take_unit(reader, frame, attributes, count, fault);
+}
+
+static enum tcs_status
+generic_part_end(struct gml_reader *reader, const struct frame *frame,
+	struct tcs_fault *fault)
+{
+	struct tcs_attribute *attribute =
+		attribute_at(reader, frame->attribute);
+	const char *at;
+	size_t length;
+
+	gml_trimmed(reader, &at, &length);
+	if (frame->name->local[0] == 'n')
+		return gml_text(reader, at, length, &attribute->name, fault);
+	if (frame->unit)
+		attribute->unit = frame->unit;
+	if (frame->code_space)
+		attribute->code_space = frame->code_space;
+	return attribute_set_value(reader, frame->attribute, at, length, fault);
+}
+
+/* ---- features ---------------------------------------------------------------- */
+
+/* The source's type where the class does not say it. */
+static enum tcs_status
+feature_set_type(struct gml_reader *reader, struct tcs_feature *feature,
+	const struct name *name, struct tcs_fault *fault)
+{
+	char type[160];
+	int length;
+
+	if (name->kind == NAME_FEATURE)
+		return TCS_OK;
+	length = snprintf(type, sizeof type, "%.60s%s%.80s", name->prefix,
+		*name->prefix ? ":" : "", name->local);
+	return gml_text(reader, type, (size_t)length, &feature->type, fault);
+}
+
+/* The property that holds the feature being begun. */
+static struct name *
+holding_property(struct gml_reader *reader)
+{
+	struct frame *top = gml_top(reader);
+
+	return reader->raw->tree.features.count > 0 && top->name ? top->name
+								 : NULL;
+}
+
+static enum tcs_status
+feature_add(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *id, uint32_t parent, struct name *role,
+	uint32_t *out, struct tcs_fault *fault)
+{
+	struct tcs_object *tree = &reader->raw->tree;
+	enum tcs_status status = TCS_OK;
+	struct tcs_feature *feature;
+
+	if (array_grow(&tree->features, 1))
+		return fault_memory(fault);
+	*out = (uint32_t)tree->features.count;
+	feature = &tree->features.at[tree->features.count++];
+	*feature = (struct tcs_feature){
+		.parent = parent, .class = (uint16_t)name->class};
+	if (id)
+		status = gml_text(
+			reader, id->value, id->length, &feature->id, fault);
+	if (!status)
+		status = feature_set_type(reader, feature, name, fault);
+	if (!status && role)
+		status = gml_name_text(reader, role, &feature->role, fault);
+	return status;
+}
+
+enum tcs_status
+feature_begin(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	uint32_t parent = reader->raw ? gml_top(reader)->feature : TCS_NONE;
+	enum tcs_status status;
+	struct name *role;
+	struct frame *frame;
+	uint32_t feature;
+
+	if (!reader->raw) {
+		status = gml_open_object(reader, fault);
+		if (status)
+			return status;
+	}
+	role = holding_property(reader);
+	status = feature_add(reader, name, attribute_find_id(attributes, count),
+		parent, role, &feature, fault);
+	if (!status)
+		status = gml_push(reader, name, ROLE_FEATURE, &frame, fault);
+	if (status)
+		return status;
+	frame->feature = feature;
+	return TCS_OK;
+}
+
+/*
+ * An element of an extension that holds geometry is a feature of its own:
+ * turn the innermost one below the property into one.
+ */
+static enum tcs_status
+feature_promote(struct gml_reader *reader, struct tcs_fault *fault)
+{
+	size_t i = reader->frames.count - 1;
+	struct frame *frame;
+	enum tcs_status status;
+	uint32_t feature;
+
+	while (i > 0 && is_attribute_frame(&reader->frames.at[i]) &&
+		!(reader->frames.at[i].role == ROLE_ATTRIBUTE &&
+			reader->frames.at[i].name->space == SPACE_OTHER &&
+			reader->frames.at[i].id))
+		i--;
+	frame = &reader->frames.at[i];
+	if (!is_attribute_frame(frame))
+		return TCS_OK;
+	status = feature_add(reader, frame->name, NULL, frame->feature,
+		reader->frames.at[i - 1].name, &feature, fault);
+	if (status)
+		return status;
+	reader->raw->tree.features.at[feature].id = frame->id;
+	frame->role = ROLE_FEATURE;
+	for (size_t j = i; j < reader->frames.count; j++) {
+		reader->frames.at[j].feature = feature;
+		reader->frames.at[j].attribute = TCS_NONE;
+	}
+	if (i + 1 < reader->frames.count)
+		reader->frames.at[i + 1].role = ROLE_PROPERTY;
+	return TCS_OK;
+}
+
+/* ---- properties ---------------------------------------------------------------- */
+
+static enum tcs_status
+relation_add(struct gml_reader *reader, struct name *role,
+	const struct xml_attribute *href, const struct xml_attribute *note,
+	struct tcs_fault *fault)
+{
+	struct tcs_object *tree = &reader->raw->tree;
+	struct tcs_relation *relation;
+	enum tcs_status status;
+	size_t skip = href->length && *href->value == '#';
+
+	if (array_grow(&tree->relations, 1))
+		return fault_memory(fault);
+	relation = &tree->relations.at[tree->relations.count++];
+	*relation = (struct tcs_relation){.feature = gml_top(reader)->feature};
+	status = gml_name_text(reader, role, &relation->role, fault);
+	if (!status)
+		status = gml_text(reader, href->value + skip,
+			href->length - skip, &relation->target, fault);
+	if (!status && note)
+		status = gml_text(reader, note->value, note->length,
+			&relation->note, fault);
+	return status;
+}
+
+static enum tcs_status
+property_begin(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	const struct xml_attribute *href =
+		attribute_find(attributes, count, "href");
+	enum tcs_status status;
+	struct frame *frame;
+
+	status = gml_push(reader, name, ROLE_PROPERTY, &frame, fault);
+	if (!status)
+		status = frame_take_unit(
+			reader, frame, attributes, count, fault);
+	if (status)
+		return status;
+	frame->wants_text = true;
+	if (href && name->lod != TCS_LOD_NONE)
+		return geometry_link(reader, frame, href, fault);
+	if (href)
+		return relation_add(reader, name, href,
+			attribute_find(attributes, count, "role"), fault);
+	return TCS_OK;
+}
+
+static enum tcs_status
+property_child_of_feature(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	switch (name->kind) {
+	case NAME_BOUNDED_BY:
+		return gml_push(reader, name, ROLE_BOUNDS, NULL, fault);
+	case NAME_GENERIC_ATTRIBUTE:
+		return generic_begin(reader, name, attributes, count, fault);
+	default:
+		return property_begin(reader, name, attributes, count, fault);
+	}
+}
+
+/* An element below a property that is no feature, geometry or the like. */
+static enum tcs_status
+nested_begin(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	const struct xml_attribute *id = attribute_find_id(attributes, count);
+	enum tcs_status status;
+	struct frame *frame;
+
+	status = gml_push(reader, name, ROLE_ATTRIBUTE, &frame, fault);
+	if (!status && id)
+		status = gml_text(
+			reader, id->value, id->length, &frame->id, fault);
+	if (!status)
+		status = frame_take_unit(
+			reader, frame, attributes, count, fault);
+	if (status)
+		return status;
+	frame->wants_text = true;
+	return frame_add_members(reader, attributes, count, fault);
+}
+
+static enum tcs_status
+implicit_geometry_skip(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	const struct xml_attribute *id = attribute_find_id(attributes, count);
+	char text[128] = "";
+	enum tcs_status status;
+
+	if (id)
+		snprintf(text, sizeof text, "%.*s",
+			id->length < 100 ? (int)id->length : 100, id->value);
+	status = gml_skipped(reader, "implicit geometry",
+		"templates are not placed yet", *text ? text : NULL, fault);
+	if (status)
+		return status;
+	return gml_push(reader, name, ROLE_SKIP, NULL, fault);
+}
+
+enum tcs_status
+feature_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	enum frame_role role = gml_top(reader)->role;
+	enum tcs_status status;
+
+	if (role == ROLE_FEATURE)
+		return property_child_of_feature(
+			reader, name, attributes, count, fault);
+	if (role == ROLE_GENERIC)
+		return generic_child(reader, name, attributes, count, fault);
+	if (geometry_is(name)) {
+		status = feature_promote(reader, fault);
+		if (status)
+			return status;
+		return geometry_begin(reader, name, attributes, count, fault);
+	}
+	switch (name->kind) {
+	case NAME_FEATURE:
+		return feature_begin(reader, name, attributes, count, fault);
+	case NAME_GENERIC_ATTRIBUTE:
+		return generic_begin(reader, name, attributes, count, fault);
+	case NAME_IMPLICIT_GEOMETRY:
+		return implicit_geometry_skip(
+			reader, name, attributes, count, fault);
+	case NAME_APPEARANCE:
+		return gml_push(reader, name, ROLE_APPEARANCE, NULL, fault);
+	default:
+		return nested_begin(reader, name, attributes, count, fault);
+	}
+}
+
+/* ---- ends --------------------------------------------------------------------------- */
+
+static enum tcs_status
+gml_name_end(struct gml_reader *reader, const struct frame *frame,
+	struct tcs_fault *fault)
+{
+	struct tcs_feature *feature =
+		&reader->raw->tree.features.at[frame->feature];
+	const char *at;
+	size_t length;
+
+	gml_trimmed(reader, &at, &length);
+	return gml_text(reader, at, length, &feature->name, fault);
+}
+
+/*
+ * The frame that ends was popped, but still stands above the top: its
+ * attribute is made in place.
+ */
+static enum tcs_status
+property_end(
+	struct gml_reader *reader, struct frame *frame, struct tcs_fault *fault)
+{
+	bool first_name = frame->role == ROLE_PROPERTY &&
+		frame->name->kind == NAME_GML_NAME &&
+		!reader->raw->tree.features.at[frame->feature].name;
+	enum tcs_status status = TCS_OK;
+
+	if (frame->has_children)
+		return TCS_OK;
+	if (first_name)
+		status = gml_name_end(reader, frame, fault);
+	if (status || (first_name && !frame->code_space))
+		return status;
+	return attribute_finish(reader, reader->frames.count, fault);
+}
+
+static enum tcs_status
+object_end(struct gml_reader *reader, struct tcs_fault *fault)
+{
+	enum tcs_status status = appearance_hand_over(reader, fault);
+
+	if (!status)
+		gml_close_object(reader);
+	return status;
+}
+
+enum tcs_status
+feature_end(
+	struct gml_reader *reader, struct frame *frame, struct tcs_fault *fault)
+{
+	switch (frame->role) {
+	case ROLE_FEATURE:
+		if (frame->feature == 0)
+			return object_end(reader, fault);
+		return TCS_OK;
+	case ROLE_PROPERTY:
+	case ROLE_ATTRIBUTE:
+		return property_end(reader, frame, fault);
+	case ROLE_GENERIC_PART:
+		return generic_part_end(reader, frame, fault);
+	default:
+		return TCS_OK;
+	}
+}

@@ -1,0 +1,527 @@
+#include "citygml_reader.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "number.h"
+
+/* ---- the stack --------------------------------------------------------- */
+
+struct frame *
+gml_top(struct gml_reader *reader)
+{
+	return &reader->frames.at[reader->frames.count - 1];
+}
+
+enum tcs_status
+gml_push(struct gml_reader *reader, struct name *name, enum frame_role role,
+	struct frame **out, struct tcs_fault *fault)
+{
+	const struct frame *parent;
+	struct frame *frame;
+
+	if (array_grow(&reader->frames, 1))
+		return fault_memory(fault);
+	parent = gml_top(reader);
+	frame = &reader->frames.at[reader->frames.count++];
+	*frame = (struct frame){
+		.name = name,
+		.role = role,
+		.reversed = parent->reversed,
+		.interior = parent->interior,
+		.dimension = parent->dimension,
+		.attribute = TCS_NONE,
+		.feature = parent->feature,
+		.polygon = parent->polygon,
+		.shell = parent->shell,
+	};
+	reader->text.count = 0;
+	if (out)
+		*out = frame;
+	return TCS_OK;
+}
+
+static enum tcs_status
+gml_skip(struct gml_reader *reader, struct name *name, struct tcs_fault *fault)
+{
+	return gml_push(reader, name, ROLE_SKIP, NULL, fault);
+}
+
+/* ---- what the other files share ----------------------------------------- */
+
+static bool
+is_blank(char c)
+{
+	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+
+void
+gml_trimmed(const struct gml_reader *reader, const char **at, size_t *length)
+{
+	const char *first = reader->text.at;
+	const char *end = first + reader->text.count;
+
+	while (first < end && is_blank(*first))
+		first++;
+	while (first < end && is_blank(end[-1]))
+		end--;
+	*at = first;
+	*length = (size_t)(end - first);
+}
+
+enum tcs_status
+gml_text(struct gml_reader *reader, const char *bytes, size_t length,
+	tcs_text *out, struct tcs_fault *fault)
+{
+	return text_append(&reader->raw->tree, bytes, length, out, fault);
+}
+
+enum tcs_status
+gml_name_text(struct gml_reader *reader, struct name *name, tcs_text *out,
+	struct tcs_fault *fault)
+{
+	/* Serial 0 is a name never placed; the first object counts as 1. */
+	if (name->text_serial != reader->objects) {
+		enum tcs_status status = gml_text(
+			reader, name->local, name->length, &name->text, fault);
+
+		if (status)
+			return status;
+		name->text_serial = reader->objects;
+	}
+	*out = name->text;
+	return TCS_OK;
+}
+
+const struct xml_attribute *
+attribute_find(
+	const struct xml_attribute *attributes, size_t count, const char *local)
+{
+	for (size_t i = 0; i < count; i++)
+		if (!strcmp(attributes[i].local, local))
+			return &attributes[i];
+	return NULL;
+}
+
+const struct xml_attribute *
+attribute_find_id(const struct xml_attribute *attributes, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		if (!strcmp(attributes[i].local, "id") ||
+			!strcmp(attributes[i].local, "gml_id"))
+			return &attributes[i];
+	return NULL;
+}
+
+enum tcs_status
+gml_skipped(struct gml_reader *reader, const char *item, const char *reason,
+	const char *id, struct tcs_fault *fault)
+{
+	struct report *report =
+		reader->raw ? &reader->raw->report : &reader->report;
+
+	return report_item(report, REPORT_SKIPPED, item, reason, id,
+		xml_line(reader->xml), fault);
+}
+
+/* ---- coordinate systems -------------------------------------------------- */
+
+#define MAX_SYSTEMS 1000 /* spellings kept; later ones are the first's */
+
+enum tcs_status
+gml_srs(struct gml_reader *reader, const char *name, size_t length,
+	uint32_t *out, struct tcs_fault *fault)
+{
+	struct gml_srs *added;
+
+	for (size_t i = 0; i < reader->systems.count; i++) {
+		const char *known = reader->systems.at[i].name;
+
+		*out = (uint32_t)i;
+		if (!strncmp(known, name, length) && !known[length])
+			return TCS_OK;
+	}
+	*out = 0;
+	if (reader->systems.count >= MAX_SYSTEMS)
+		return TCS_OK;
+	if (array_grow(&reader->systems, 1))
+		return fault_memory(fault);
+	added = &reader->systems.at[reader->systems.count];
+	*added = (struct gml_srs){.name = strndup(name, length)};
+	if (!added->name)
+		return fault_memory(fault);
+	srs_read(added->name, &added->srs);
+	*out = (uint32_t)reader->systems.count++;
+	return TCS_OK;
+}
+
+/* The first numbers of a text; how many there were, at most 3. */
+static int
+numbers_of(const char *at, size_t length, double out[3])
+{
+	const char *end = at + length;
+	int count = 0;
+
+	while (count < 3) {
+		while (at < end && (is_blank(*at) || *at == ','))
+			at++;
+		at = number_parse(at, end, &out[count]);
+		if (!at)
+			break;
+		count++;
+	}
+	return count;
+}
+
+bool
+gml_north_first(struct gml_reader *reader, uint32_t system,
+	const char *position, size_t length)
+{
+	struct gml_srs *srs = &reader->systems.at[system];
+	double sample[3] = {0};
+
+	if (srs->decided)
+		return srs->north_first;
+	if (numbers_of(position, length, sample) < 2)
+		return false;
+	srs->north_first = srs_north_first(&srs->srs,
+		(struct tcs_point){sample[0], sample[1], sample[2]},
+		&srs->assumed);
+	srs->decided = true;
+	return srs->north_first;
+}
+
+/* ---- bounds -------------------------------------------------------------- */
+
+/* gml:boundedBy with a CityGML 0.4 file's habits: surfaces may stand in it. */
+static enum tcs_status
+bounds_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	const struct xml_attribute *srs_name;
+	struct frame *frame;
+	enum tcs_status status;
+	uint32_t system;
+
+	if (name->kind == NAME_FEATURE && reader->raw)
+		return feature_begin(reader, name, attributes, count, fault);
+	status = gml_push(reader, name, ROLE_BOUNDS, &frame, fault);
+	if (status)
+		return status;
+	frame->wants_text =
+		name->kind == NAME_ENVELOPE_CORNER || name->kind == NAME_POS;
+	srs_name = attribute_find(attributes, count, "srsName");
+	if (!srs_name || !srs_name->length)
+		return TCS_OK;
+	status = gml_srs(
+		reader, srs_name->value, srs_name->length, &system, fault);
+	if (status)
+		return status;
+	if (!reader->raw)
+		reader->model_srs = system;
+	else if (frame->feature == 0)
+		reader->object_srs = system;
+	return TCS_OK;
+}
+
+static void
+bounds_end(struct gml_reader *reader, const struct frame *frame)
+{
+	bool upper;
+
+	if (reader->raw || !frame->wants_text)
+		return;
+	upper = frame->name->kind == NAME_ENVELOPE_CORNER
+		? frame->name->local[0] == 'u'
+		: reader->has_corner[0];
+	if (numbers_of(reader->text.at, reader->text.count,
+		    reader->corner[upper]) == 3)
+		reader->has_corner[upper] = true;
+}
+
+/* ---- the model and its members -------------------------------------------- */
+
+static enum tcs_status
+root_start(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	if (name->kind == NAME_CITY_MODEL)
+		return gml_push(reader, name, ROLE_MODEL, NULL, fault);
+	if (name->kind == NAME_FEATURE && reader->pass == PASS_APPEARANCES)
+		return gml_skip(reader, name, fault);
+	if (name->kind == NAME_FEATURE)
+		return feature_begin(reader, name, attributes, count, fault);
+	return fault_set(fault, TCS_BAD_INPUT, TCS_NOWHERE,
+		"line %u: not CityGML: the root element is %.80s",
+		xml_line(reader->xml), name->local);
+}
+
+/* A member that is somewhere else: named, never fetched. */
+static enum tcs_status
+member_link(struct gml_reader *reader, const struct xml_attribute *attributes,
+	size_t count, struct tcs_fault *fault)
+{
+	const struct xml_attribute *href =
+		attribute_find(attributes, count, "href");
+	char target[128];
+
+	if (!href)
+		return TCS_OK;
+	snprintf(target, sizeof target, "%.*s",
+		href->length < 100 ? (int)href->length : 100, href->value);
+	return gml_skipped(
+		reader, "member", "a link, not followed", target, fault);
+}
+
+/* In the appearances' pass only global appearances are read. */
+static enum tcs_status
+model_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	bool wanted = name->kind == NAME_APPEARANCE_MEMBER
+		? reader->pass == PASS_APPEARANCES
+		: reader->pass == PASS_OBJECTS;
+	enum tcs_status status;
+
+	if (!wanted)
+		return gml_skip(reader, name, fault);
+	switch (name->kind) {
+	case NAME_MEMBER:
+		status = member_link(reader, attributes, count, fault);
+		if (status)
+			return status;
+		return gml_push(reader, name, ROLE_MEMBER, NULL, fault);
+	case NAME_APPEARANCE_MEMBER:
+		return gml_push(reader, name, ROLE_APPEARANCE, NULL, fault);
+	case NAME_BOUNDED_BY:
+		return gml_push(reader, name, ROLE_BOUNDS, NULL, fault);
+	default:
+		return gml_skip(reader, name, fault);
+	}
+}
+
+static enum tcs_status
+member_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	if (name->kind == NAME_APPEARANCE)
+		return gml_skip(reader, name, fault);
+	return feature_begin(reader, name, attributes, count, fault);
+}
+
+/* ---- events ---------------------------------------------------------------- */
+
+static enum tcs_status
+gml_start(void *context, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	struct gml_reader *reader = context;
+	struct frame *top = gml_top(reader);
+
+	if (reader->frames.count > reader->limits.max_depth)
+		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
+			"line %u: elements nest deeper than %u "
+			"(--max-depth)",
+			xml_line(reader->xml), reader->limits.max_depth);
+	top->has_children = true;
+	switch (top->role) {
+	case ROLE_DOCUMENT:
+		return root_start(reader, name, attributes, count, fault);
+	case ROLE_MODEL:
+		return model_child(reader, name, attributes, count, fault);
+	case ROLE_MEMBER:
+		return member_child(reader, name, attributes, count, fault);
+	case ROLE_FEATURE:
+	case ROLE_PROPERTY:
+	case ROLE_ATTRIBUTE:
+	case ROLE_GENERIC:
+		return feature_child(reader, name, attributes, count, fault);
+	case ROLE_BOUNDS:
+		return bounds_child(reader, name, attributes, count, fault);
+	case ROLE_GEOMETRY:
+		return geometry_child(reader, name, attributes, count, fault);
+	case ROLE_APPEARANCE:
+		return appearance_child(reader, name, attributes, count, fault);
+	case ROLE_GENERIC_PART:
+	case ROLE_SKIP:
+		break;
+	}
+	return gml_skip(reader, name, fault);
+}
+
+static enum tcs_status
+gml_characters(void *context, const char *bytes, size_t length,
+	struct tcs_fault *fault)
+{
+	struct gml_reader *reader = context;
+	struct frame *top = gml_top(reader);
+
+	if (!top->wants_text)
+		return TCS_OK;
+	if (top->role == ROLE_GEOMETRY)
+		return geometry_text(reader, bytes, length, fault);
+	if (array_grow(&reader->text, length))
+		return fault_memory(fault);
+	memcpy(reader->text.at + reader->text.count, bytes, length);
+	reader->text.count += length;
+	return TCS_OK;
+}
+
+static enum tcs_status
+gml_end_element(void *context, struct tcs_fault *fault)
+{
+	struct gml_reader *reader = context;
+	struct frame frame = *gml_top(reader);
+
+	reader->frames.count--;
+	switch (frame.role) {
+	case ROLE_FEATURE:
+	case ROLE_PROPERTY:
+	case ROLE_ATTRIBUTE:
+	case ROLE_GENERIC:
+	case ROLE_GENERIC_PART:
+		return feature_end(reader, &frame, fault);
+	case ROLE_GEOMETRY:
+		return geometry_end(reader, &frame, fault);
+	case ROLE_APPEARANCE:
+		return appearance_end(reader, &frame, fault);
+	case ROLE_BOUNDS:
+		bounds_end(reader, &frame);
+		return TCS_OK;
+	case ROLE_DOCUMENT:
+	case ROLE_MODEL:
+	case ROLE_MEMBER:
+	case ROLE_SKIP:
+		break;
+	}
+	return TCS_OK;
+}
+
+/* ---- life ------------------------------------------------------------------- */
+
+enum tcs_status
+gml_begin(struct gml_reader *reader, const struct gml_limits *limits,
+	struct tcs_fault *fault)
+{
+	*reader = (struct gml_reader){
+		.limits = *limits,
+		.names.version = 2,
+		.ready_end = &reader->ready,
+		.model_srs = TCS_NONE,
+		.first_srs = TCS_NONE,
+	};
+	if (array_grow(&reader->frames, 1))
+		return fault_memory(fault);
+	return TCS_OK;
+}
+
+static void
+raw_list_free(struct raw_object *list)
+{
+	while (list) {
+		struct raw_object *next = list->next;
+
+		raw_free(list);
+		list = next;
+	}
+}
+
+void
+gml_release(struct gml_reader *reader)
+{
+	xml_free(reader->xml);
+	array_release(&reader->frames);
+	array_release(&reader->text);
+	raw_free(reader->raw);
+	raw_list_free(reader->ready);
+	raw_list_free(reader->spare);
+	for (size_t i = 0; i < reader->systems.count; i++)
+		free(reader->systems.at[i].name);
+	array_release(&reader->systems);
+	report_release(&reader->report);
+	appearance_release(reader);
+}
+
+enum tcs_status
+gml_start_pass(
+	struct gml_reader *reader, enum gml_pass pass, struct tcs_fault *fault)
+{
+	reader->pass = pass;
+	reader->handler = (struct xml_handler){
+		reader, gml_start, gml_end_element, gml_characters};
+	xml_free(reader->xml);
+	reader->xml = xml_new(&reader->handler, &reader->names);
+	if (!reader->xml)
+		return fault_memory(fault);
+	raw_free(reader->raw);
+	reader->raw = NULL;
+	reader->objects = 0;
+	reader->frames.at[0] = (struct frame){
+		.role = ROLE_DOCUMENT,
+		.attribute = TCS_NONE,
+		.feature = TCS_NONE,
+		.polygon = TCS_NONE,
+		.shell = TCS_NONE,
+	};
+	reader->frames.count = 1;
+	return TCS_OK;
+}
+
+enum tcs_status
+gml_feed(struct gml_reader *reader, const char *bytes, size_t length,
+	struct tcs_fault *fault)
+{
+	return xml_feed(reader->xml, bytes, length, fault);
+}
+
+struct raw_object *
+gml_take(struct gml_reader *reader)
+{
+	struct raw_object *raw = reader->ready;
+
+	if (!raw)
+		return NULL;
+	reader->ready = raw->next;
+	if (!reader->ready)
+		reader->ready_end = &reader->ready;
+	raw->next = NULL;
+	return raw;
+}
+
+void
+gml_recycle(struct gml_reader *reader, struct raw_object *raw)
+{
+	if (!raw)
+		return;
+	raw_clear(raw);
+	raw->next = reader->spare;
+	reader->spare = raw;
+}
+
+enum tcs_status
+gml_open_object(struct gml_reader *reader, struct tcs_fault *fault)
+{
+	reader->raw = reader->spare ? reader->spare : raw_new();
+	if (!reader->raw)
+		return fault_memory(fault);
+	if (reader->raw == reader->spare)
+		reader->spare = reader->raw->next;
+	reader->raw->next = NULL;
+	reader->raw->number = reader->objects++;
+	reader->object_srs = TCS_NONE;
+	return TCS_OK;
+}
+
+void
+gml_close_object(struct gml_reader *reader)
+{
+	*reader->ready_end = reader->raw;
+	reader->ready_end = &reader->raw->next;
+	reader->raw = NULL;
+}

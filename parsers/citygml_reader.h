@@ -1,0 +1,226 @@
+/*
+ * The CityGML reader: XML events in, raw objects out.
+ *
+ * A stack holds one frame per open element. A frame's role says what the
+ * element is to the reader; the parent's role and the child's name decide the
+ * child's role. The files beside this one share the state:
+ *
+ *     citygml_reader.c      the stack, the model and its members
+ *     citygml_features.c    features, their properties and attributes
+ *     citygml_geometry.c    GML geometry
+ *     citygml_appearance.c  themes and materials
+ *
+ * Nothing recurses: depth costs one frame, up to `max_depth`.
+ */
+#ifndef TESSERA_CITYGML_READER_H
+#define TESSERA_CITYGML_READER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "citygml_names.h"
+#include "citygml_raw.h"
+#include "citygml_xml.h"
+#include "srs.h"
+
+enum frame_role {
+	ROLE_DOCUMENT, /* below the stack: only a root may come */
+	ROLE_MODEL,
+	ROLE_MEMBER,
+	ROLE_FEATURE,
+	ROLE_PROPERTY, /* of a feature: text, a feature, a geometry, … */
+	ROLE_ATTRIBUTE, /* an element below a property that is neither */
+	ROLE_GENERIC, /* a generic attribute or set */
+	ROLE_GENERIC_PART, /* its name or value */
+	ROLE_BOUNDS, /* gml:boundedBy and below */
+	ROLE_GEOMETRY, /* see geometry_start */
+	ROLE_APPEARANCE, /* see appearance_start */
+	ROLE_SKIP, /* nothing below is read */
+};
+
+struct frame {
+	struct name *name;
+	enum frame_role role;
+	bool wants_text;
+	bool has_children;
+	bool reversed; /* geometry: below orientation="-" */
+	bool interior; /* geometry: the shell or ring bounds a void or hole */
+	bool is_shell; /* geometry: holds the surfaces of a solid */
+	uint8_t dimension; /* geometry: srsDimension in force; 0: none */
+	uint32_t attribute; /* of the object; TCS_NONE: not made yet */
+	uint32_t feature; /* the innermost feature */
+	tcs_text id; /* gml:id in the object's text */
+	tcs_text unit, code_space; /* of a property, until it is made */
+	uint32_t first_member; /* geometry: the members below start here */
+	uint32_t polygon; /* geometry: being read; TCS_NONE */
+	uint32_t shell; /* geometry: in force; TCS_NONE */
+};
+
+/* A coordinate system that the file names. */
+struct gml_srs {
+	char *name; /* owned */
+	struct srs srs;
+	const char *assumed; /* about its axis order */
+	bool decided; /* north_first is known */
+	bool north_first;
+};
+
+/* A paint of a global appearance, before any feature is read. */
+struct gml_paint {
+	char *theme, *target; /* owned */
+	uint32_t material;
+	bool back;
+};
+
+struct gml_limits {
+	unsigned max_depth; /* open elements */
+};
+
+enum gml_pass {
+	PASS_APPEARANCES, /* only global appearances are read */
+	PASS_OBJECTS,
+};
+
+struct gml_reader {
+	struct names names;
+	struct gml_limits limits;
+	struct xml_handler handler;
+	struct xml_parser *xml;
+	enum gml_pass pass;
+	TCS_ARRAY(struct frame) frames;
+	TCS_ARRAY(char) text; /* of the innermost element */
+
+	struct raw_object *raw; /* being filled; NULL between objects */
+	struct raw_object *ready, **ready_end; /* complete ones, in order */
+	struct raw_object *spare;
+	uint64_t objects; /* top-level features begun */
+
+	/* the model */
+	TCS_ARRAY(struct gml_srs) systems;
+	uint32_t model_srs; /* index; TCS_NONE */
+	uint32_t first_srs; /* of the first geometry that names one */
+	double corner[2][3]; /* of the model's envelope */
+	bool has_corner[2];
+	struct report report; /* what belongs to no object */
+
+	/* the object */
+	uint32_t object_srs; /* of its own envelope; TCS_NONE */
+	uint32_t geometry_srs; /* of the geometry being read; TCS_NONE */
+	uint32_t solids; /* of the geometry being read */
+	uint32_t pos_ring; /* geometry: the ring that takes positions */
+
+	/* appearance */
+	TCS_ARRAY(char) theme;
+	struct tcs_material material; /* being read */
+	uint32_t first_paint; /* its targets start here */
+	bool back;
+	struct tcs_palette palette; /* all materials of the stream so far */
+	size_t palette_taken; /* materials already given to an object */
+	TCS_ARRAY(struct gml_paint) paints; /* of global appearances */
+	TCS_ARRAY(uint32_t) material_slots; /* hash of the palette */
+};
+
+/* Zero is valid for gml_release. Fails with TCS_NO_MEMORY. */
+enum tcs_status gml_begin(struct gml_reader *reader,
+	const struct gml_limits *limits, struct tcs_fault *fault) TCS_CHECKED;
+void gml_release(struct gml_reader *reader);
+
+/* Start a pass over the document from its first byte. */
+enum tcs_status gml_start_pass(struct gml_reader *reader, enum gml_pass pass,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The next bytes of the document; length 0 ends it. */
+enum tcs_status gml_feed(struct gml_reader *reader, const char *bytes,
+	size_t length, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The next complete object, or NULL; give it back with gml_recycle. */
+struct raw_object *gml_take(struct gml_reader *reader);
+void gml_recycle(struct gml_reader *reader, struct raw_object *raw);
+
+/* ---- shared by the files of the reader ------------------------------- */
+
+/* An empty object to fill; complete, it joins the ready ones. */
+enum tcs_status gml_open_object(
+	struct gml_reader *reader, struct tcs_fault *fault) TCS_CHECKED;
+void gml_close_object(struct gml_reader *reader);
+
+struct frame *gml_top(struct gml_reader *reader);
+
+/* A frame of this role on top of the stack; the parent may have moved. */
+enum tcs_status gml_push(struct gml_reader *reader, struct name *name,
+	enum frame_role role, struct frame **out,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The text of the innermost element without white space around it. */
+void gml_trimmed(
+	const struct gml_reader *reader, const char **at, size_t *length);
+
+/* Append to the text of the object. */
+enum tcs_status gml_text(struct gml_reader *reader, const char *bytes,
+	size_t length, tcs_text *out, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The place of a local name in the text of the object, once per object. */
+enum tcs_status gml_name_text(struct gml_reader *reader, struct name *name,
+	tcs_text *out, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The attribute of this name; NULL for none. */
+const struct xml_attribute *attribute_find(
+	const struct xml_attribute *attributes, size_t count,
+	const char *local);
+
+/* gml:id, in any spelling met in files. */
+const struct xml_attribute *attribute_find_id(
+	const struct xml_attribute *attributes, size_t count);
+
+/* The number of a coordinate system; read once per spelling. */
+enum tcs_status gml_srs(struct gml_reader *reader, const char *name,
+	size_t length, uint32_t *out, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Whether a system comes north first, given its first position as text. */
+bool gml_north_first(struct gml_reader *reader, uint32_t system,
+	const char *position, size_t length);
+
+enum tcs_status gml_skipped(struct gml_reader *reader, const char *item,
+	const char *reason, const char *id,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+enum tcs_status feature_begin(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status feature_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status feature_end(struct gml_reader *reader, struct frame *frame,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+enum tcs_status geometry_begin(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status geometry_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status geometry_text(struct gml_reader *reader, const char *bytes,
+	size_t length, struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status geometry_end(struct gml_reader *reader, struct frame *frame,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Whether an element of this name begins a geometry. */
+bool geometry_is(const struct name *name);
+
+/* A geometry property that only links: <lod2MultiSurface xlink:href="…"/>. */
+enum tcs_status geometry_link(struct gml_reader *reader, struct frame *property,
+	const struct xml_attribute *href, struct tcs_fault *fault) TCS_CHECKED;
+
+enum tcs_status appearance_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status appearance_end(struct gml_reader *reader, struct frame *frame,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Hand the object the materials that no object before it has brought. */
+enum tcs_status appearance_hand_over(
+	struct gml_reader *reader, struct tcs_fault *fault) TCS_CHECKED;
+void appearance_release(struct gml_reader *reader);
+
+#endif
