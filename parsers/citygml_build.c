@@ -1,0 +1,715 @@
+#include "citygml_build.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "labels.h"
+
+enum tcs_status
+builder_init(struct builder *builder, struct tcs_fault *fault)
+{
+	*builder = (struct builder){.triangulator = triangulator_new()};
+	return builder->triangulator ? TCS_OK : fault_memory(fault);
+}
+
+void
+builder_release(struct builder *builder)
+{
+	triangulator_free(builder->triangulator);
+	link_work_release(&builder->links);
+	array_release(&builder->numbers);
+	array_release(&builder->points);
+	array_release(&builder->scaled);
+	array_release(&builder->ring_sizes);
+	array_release(&builder->ring_ids);
+	array_release(&builder->paints);
+	array_release(&builder->order);
+	array_release(&builder->attributes);
+}
+
+/* What every step of one object needs. */
+struct build {
+	struct builder *builder;
+	const struct build_plan *plan;
+	struct raw_object *raw;
+	struct tcs_object *out; /* &raw->tree */
+	struct report *report; /* &raw->report */
+	uint32_t shell, solid; /* of the solid being written: raw numbers */
+	uint64_t polygons, shared, holes, voids;
+};
+
+/* ---- attributes in the order of their features ------------------------------- */
+
+/* A stable counting sort; sets stay before their members. */
+static enum tcs_status
+attributes_sort(struct builder *builder, struct tcs_object *tree,
+	struct tcs_fault *fault)
+{
+	size_t features = tree->features.count;
+	size_t count = tree->attributes.count;
+	uint32_t *starts, *places;
+	bool sorted = true;
+
+	for (size_t i = 1; i < count; i++)
+		sorted &= tree->attributes.at[i - 1].feature <=
+			tree->attributes.at[i].feature;
+	if (sorted)
+		return TCS_OK;
+	array_clear(&builder->order);
+	array_clear(&builder->attributes);
+	if (array_grow(&builder->order, features + 1 + count) ||
+		array_grow(&builder->attributes, count))
+		return fault_memory(fault);
+	starts = builder->order.at;
+	places = starts + features + 1;
+	memset(starts, 0, (features + 1) * sizeof *starts);
+	for (size_t i = 0; i < count; i++)
+		starts[tree->attributes.at[i].feature + 1]++;
+	for (size_t i = 0; i < features; i++)
+		starts[i + 1] += starts[i];
+	for (size_t i = 0; i < count; i++)
+		places[i] = starts[tree->attributes.at[i].feature]++;
+	for (size_t i = 0; i < count; i++) {
+		struct tcs_attribute *to = &builder->attributes.at[places[i]];
+
+		*to = tree->attributes.at[i];
+		if (to->parent != TCS_NONE)
+			to->parent = places[to->parent];
+	}
+	memcpy(tree->attributes.at, builder->attributes.at,
+		count * sizeof *tree->attributes.at);
+	return TCS_OK;
+}
+
+/* ---- paints --------------------------------------------------------------------- */
+
+static enum tcs_status
+paint_target(struct build *build, const struct raw_target *target,
+	tcs_text theme, uint32_t material, bool back, struct tcs_fault *fault)
+{
+	struct builder *builder = build->builder;
+
+	for (uint32_t i = target->first_member; i < target->member_end; i++) {
+		uint32_t polygon = build->raw->members.at[i].polygon;
+
+		if (polygon == TCS_NONE)
+			continue;
+		if (array_grow(&builder->paints, 1))
+			return fault_memory(fault);
+		builder->paints.at[builder->paints.count++] =
+			(struct build_paint){polygon, theme, material, back};
+	}
+	return TCS_OK;
+}
+
+static enum tcs_status
+paints_local(struct build *build, struct tcs_fault *fault)
+{
+	const struct raw_object *raw = build->raw;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < raw->paints.count; i++) {
+		const struct raw_paint *paint = &raw->paints.at[i];
+		const char *id = object_text(build->out, paint->target);
+		const struct raw_target *target =
+			index_find(&build->builder->links.targets, raw, id);
+
+		if (paint->material == TCS_NONE)
+			continue;
+		if (target)
+			status = paint_target(build, target, paint->theme,
+				paint->material, paint->back, fault);
+		else
+			status = report_item(build->report, REPORT_SKIPPED,
+				"material", "its target is not in the feature",
+				id, TCS_NOWHERE, fault);
+	}
+	return status;
+}
+
+static int
+compare_global(const void *key, const void *row)
+{
+	return strcmp(key, ((const struct global_paint *)row)->target);
+}
+
+/* All global paints of one target stand together; any of them is found. */
+static const struct global_paint *
+global_first(const struct build_plan *plan, const char *id)
+{
+	const struct global_paint *found = plan->paint_count
+		? bsearch(id, plan->paints, plan->paint_count,
+			  sizeof *plan->paints, compare_global)
+		: NULL;
+
+	while (found && found > plan->paints && !strcmp(found[-1].target, id))
+		found--;
+	return found;
+}
+
+static enum tcs_status
+paints_global(struct build *build, struct tcs_fault *fault)
+{
+	const struct build_plan *plan = build->plan;
+	const struct raw_object *raw = build->raw;
+	enum tcs_status status = TCS_OK;
+	const char *last = NULL;
+	tcs_text theme = 0;
+
+	if (!plan->paint_count)
+		return TCS_OK;
+	for (size_t i = 0; i < raw->targets.count; i++) {
+		const struct raw_target *target = &raw->targets.at[i];
+		const struct global_paint *paint =
+			global_first(plan, object_text(&raw->tree, target->id));
+		const char *id = paint ? paint->target : NULL;
+
+		for (; paint && paint < plan->paints + plan->paint_count &&
+			!strcmp(paint->target, id);
+			paint++) {
+			if (!last || strcmp(last, paint->theme))
+				status = text_append(build->out, paint->theme,
+					strlen(paint->theme), &theme, fault);
+			last = paint->theme;
+			if (!status)
+				status = paint_target(build, target, theme,
+					paint->material, paint->back, fault);
+			if (status)
+				return status;
+		}
+	}
+	return TCS_OK;
+}
+
+static int
+compare_paints(const void *a, const void *b)
+{
+	const struct build_paint *one = a, *two = b;
+
+	if (one->polygon != two->polygon)
+		return one->polygon < two->polygon ? -1 : 1;
+	if (one->theme != two->theme)
+		return one->theme < two->theme ? -1 : 1;
+	return (int)one->back - (int)two->back;
+}
+
+/* All paints of the object, sorted by polygon. */
+static enum tcs_status
+paints_collect(struct build *build, struct tcs_fault *fault)
+{
+	struct builder *builder = build->builder;
+	enum tcs_status status;
+
+	array_clear(&builder->paints);
+	status = paints_local(build, fault);
+	if (!status)
+		status = paints_global(build, fault);
+	if (!status && builder->paints.count)
+		qsort(builder->paints.at, builder->paints.count,
+			sizeof *builder->paints.at, compare_paints);
+	return status;
+}
+
+static enum tcs_status
+paints_write(struct build *build, uint32_t raw_polygon, uint32_t polygon,
+	struct tcs_fault *fault)
+{
+	const struct builder *builder = build->builder;
+	size_t low = 0, high = builder->paints.count;
+
+	while (low < high) {
+		size_t middle = low + (high - low) / 2;
+
+		if (builder->paints.at[middle].polygon < raw_polygon)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	for (; low < builder->paints.count &&
+		builder->paints.at[low].polygon == raw_polygon;
+		low++) {
+		const struct build_paint *paint = &builder->paints.at[low];
+
+		if (array_grow(&build->out->paints, 1))
+			return fault_memory(fault);
+		build->out->paints.at[build->out->paints.count++] =
+			(struct tcs_paint){
+				.polygon = polygon,
+				.theme = paint->theme,
+				.material = paint->material,
+				.image = TCS_NONE,
+				.first_texcoord = TCS_NONE,
+				.flags = paint->back ? TCS_PAINT_BACK : 0,
+			};
+	}
+	return TCS_OK;
+}
+
+/* ---- one polygon ------------------------------------------------------------------- */
+
+#define METRES_PER_DEGREE 111320.0 /* along a meridian, roughly */
+
+/* Metres per unit in x where y is this latitude. */
+static double
+degree_scale(double latitude)
+{
+	double scale = cos(latitude * (3.14159265358979323846 / 180));
+
+	return METRES_PER_DEGREE * (scale > 1e-6 ? scale : 1e-6);
+}
+
+/* Triangles do not change under the scaling; which way a plane leans does. */
+static enum tcs_status
+points_scale(struct builder *builder, double scale, struct tcs_fault *fault)
+{
+	size_t count = builder->points.count;
+
+	array_clear(&builder->scaled);
+	if (array_grow(&builder->scaled, count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < count; i++)
+		builder->scaled.at[i] = (struct tcs_point){
+			builder->points.at[i].x * scale,
+			builder->points.at[i].y * METRES_PER_DEGREE,
+			builder->points.at[i].z,
+		};
+	return TCS_OK;
+}
+
+static enum tcs_status
+polygon_triangulate(struct builder *builder, const struct raw_polygon *polygon,
+	struct triangulation *out, struct tcs_fault *fault)
+{
+	const struct tcs_point *points = builder->points.at;
+	double scale = 0;
+	enum tcs_status status = TCS_OK;
+
+	if (polygon->shape != RAW_AREA) {
+		*out = (struct triangulation){0};
+		return TCS_OK;
+	}
+	if (polygon->degrees) {
+		scale = degree_scale(points[0].y);
+		status = points_scale(builder, scale, fault);
+		points = builder->scaled.at;
+	}
+	if (!status)
+		status = triangulate(builder->triangulator, points,
+			builder->ring_sizes.at, builder->ring_sizes.count, out,
+			fault);
+	if (status || !out->extra_count)
+		return status;
+	if (array_grow(&builder->points, out->extra_count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < out->extra_count; i++) {
+		struct tcs_point point = out->extra[i];
+
+		if (polygon->degrees) {
+			point.x /= scale;
+			point.y /= METRES_PER_DEGREE;
+		}
+		builder->points.at[builder->points.count++] = point;
+	}
+	return TCS_OK;
+}
+
+static enum tcs_status
+rings_write(struct build *build, const struct raw_use *use, uint32_t vertex,
+	struct tcs_fault *fault)
+{
+	const struct builder *builder = build->builder;
+	struct tcs_object *out = build->out;
+	enum tcs_status status = TCS_OK;
+
+	if (array_grow(&out->rings, builder->ring_sizes.count))
+		return fault_memory(fault);
+	for (size_t i = 0; !status && i < builder->ring_sizes.count; i++) {
+		struct tcs_ring *ring = &out->rings.at[out->rings.count++];
+		tcs_text id = builder->ring_ids.at[i];
+
+		*ring = (struct tcs_ring){
+			.id = id,
+			.first_vertex = vertex,
+			.vertex_count = builder->ring_sizes.at[i],
+		};
+		vertex += ring->vertex_count;
+		if (use->home != build->raw) {
+			const char *text = object_text(&use->home->tree, id);
+
+			status = text_append(
+				out, text, strlen(text), &ring->id, fault);
+		}
+	}
+	return status;
+}
+
+static enum tcs_status
+vertices_write(struct build *build, struct tcs_fault *fault)
+{
+	const struct builder *builder = build->builder;
+	struct tcs_object *out = build->out;
+	size_t count = builder->points.count;
+
+	if (out->vertices.count + count >= TCS_NONE)
+		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
+			"an object has more than 4 G vertices");
+	if (array_grow(&out->vertices, count))
+		return fault_memory(fault);
+	memcpy(out->vertices.at + out->vertices.count, builder->points.at,
+		count * sizeof *builder->points.at);
+	out->vertices.count += count;
+	return TCS_OK;
+}
+
+static enum tcs_status
+triangles_write(struct build *build, const struct triangulation *triangulation,
+	uint32_t vertex, bool reversed, struct tcs_fault *fault)
+{
+	struct tcs_object *out = build->out;
+	size_t count = triangulation->triangle_count;
+
+	if (array_grow(&out->triangles, count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < count; i++) {
+		const uint32_t *from = triangulation->triangles[i].corner;
+		uint32_t *to = out->triangles.at[out->triangles.count++].corner;
+
+		to[0] = from[0] + vertex;
+		to[1] = from[reversed ? 2 : 1] + vertex;
+		to[2] = from[reversed ? 1 : 2] + vertex;
+	}
+	return TCS_OK;
+}
+
+static enum tcs_status
+polygon_write(struct build *build, const struct raw_use *use,
+	const struct triangulation *triangulation, struct tcs_fault *fault)
+{
+	const struct raw_polygon *from = &use->home->polygons.at[use->polygon];
+	const struct builder *builder = build->builder;
+	struct tcs_object *out = build->out;
+	struct tcs_polygon polygon = {
+		.id = from->id,
+		.surface = use->surface,
+		.first_vertex = (uint32_t)out->vertices.count,
+		.vertex_count = (uint32_t)builder->points.count,
+		.first_ring = (uint32_t)out->rings.count,
+		.ring_count = (uint32_t)builder->ring_sizes.count,
+		.first_triangle = (uint32_t)out->triangles.count,
+		.triangle_count = (uint32_t)triangulation->triangle_count,
+	};
+	enum tcs_status status = TCS_OK;
+
+	if (use->reversed)
+		polygon.flags |= TCS_POLYGON_REVERSED;
+	if (use->shared)
+		polygon.flags |= TCS_POLYGON_SHARED;
+	if (triangulation->outcome == TRIANGULATION_REPAIRED)
+		polygon.flags |= TCS_POLYGON_REPAIRED;
+	if (use->home != build->raw) {
+		const char *id = object_text(&use->home->tree, from->id);
+
+		status = text_append(out, id, strlen(id), &polygon.id, fault);
+	}
+	if (!status)
+		status = rings_write(build, use, polygon.first_vertex, fault);
+	if (!status)
+		status = vertices_write(build, fault);
+	if (!status)
+		status = triangles_write(build, triangulation,
+			polygon.first_vertex, use->reversed, fault);
+	if (status)
+		return status;
+	if (array_grow(&out->polygons, 1))
+		return fault_memory(fault);
+	out->polygons.at[out->polygons.count++] = polygon;
+	if (use->home != build->raw)
+		return TCS_OK;
+	return paints_write(
+		build, use->polygon, (uint32_t)out->polygons.count - 1, fault);
+}
+
+static void
+polygon_count(struct build *build, const struct raw_use *use)
+{
+	if (use->home->polygons.at[use->polygon].shape != RAW_AREA)
+		return;
+	if (use->shared || use->home != build->raw) {
+		build->shared++;
+		return;
+	}
+	build->polygons++;
+	build->holes += build->builder->ring_sizes.count - 1;
+}
+
+#define FLAT 0.01 /* metres off the plane that pass without a note */
+
+static enum tcs_status
+polygon_note(struct build *build, const struct raw_use *use,
+	const struct triangulation *triangulation, struct tcs_fault *fault)
+{
+	const struct raw_polygon *from = &use->home->polygons.at[use->polygon];
+	const char *id = object_text(&use->home->tree, from->id);
+	enum report_severity severity = REPORT_REPAIRED;
+	const char *reason = triangulation->reason;
+
+	if (use->shared || from->shape != RAW_AREA)
+		return TCS_OK;
+	if (triangulation->outcome == TRIANGULATION_WHOLE) {
+		if (triangulation->flatness <= FLAT)
+			return TCS_OK;
+		severity = REPORT_NOTE;
+		reason = "not planar to 1 cm";
+	}
+	return report_item(build->report, severity, "polygon", reason,
+		*id ? id : NULL, from->line, fault);
+}
+
+/* Write what a use keeps, unless the polygon is beyond use. */
+static enum tcs_status
+use_write(
+	struct build *build, const struct raw_use *use, struct tcs_fault *fault)
+{
+	const struct raw_polygon *from = &use->home->polygons.at[use->polygon];
+	struct triangulation triangulation = {0};
+	enum tcs_status status;
+	const char *problem;
+	const char *id;
+
+	status = rings_read(build->builder, use->home, from, &problem,
+		build->report, fault);
+	if (!status && !problem) {
+		status = polygon_triangulate(
+			build->builder, from, &triangulation, fault);
+		if (triangulation.outcome == TRIANGULATION_EMPTY)
+			problem = triangulation.reason;
+	}
+	if (status)
+		return status;
+	if (!problem) {
+		polygon_count(build, use);
+		status = polygon_note(build, use, &triangulation, fault);
+		return status
+			? status
+			: polygon_write(build, use, &triangulation, fault);
+	}
+	if (use->shared)
+		return TCS_OK;
+	id = object_text(&use->home->tree, from->id);
+	return report_item(build->report, REPORT_SKIPPED,
+		from->shape == RAW_AREA ? "polygon" : "line", problem,
+		*id ? id : NULL, from->line, fault);
+}
+
+/* ---- shells and geometries ------------------------------------------------------------ */
+
+static bool
+is_solid_kind(uint8_t kind)
+{
+	return kind == TCS_SOLID || kind == TCS_MULTI_SOLID ||
+		kind == TCS_COMPOSITE_SOLID;
+}
+
+/* The shell that a use belongs to, begun when it differs from the last. */
+static enum tcs_status
+shell_enter(struct build *build, const struct raw_use *use, size_t first_shell,
+	struct tcs_fault *fault)
+{
+	const struct raw_object *raw = build->raw;
+	struct tcs_object *out = build->out;
+	bool first = out->shells.count == first_shell;
+	const struct raw_shell *from =
+		use->shell == TCS_NONE ? NULL : &raw->shells.at[use->shell];
+	const struct raw_shell *last = first || build->shell == TCS_NONE
+		? NULL
+		: &raw->shells.at[build->shell];
+
+	if (!first && use->shell == build->shell)
+		return TCS_OK;
+	if (array_grow(&out->shells, 1))
+		return fault_memory(fault);
+	if (first)
+		build->solid = 0;
+	else if (!from || !last || from->geometry != last->geometry ||
+		from->solid != last->solid)
+		build->solid++;
+	build->shell = use->shell;
+	out->shells.at[out->shells.count++] = (struct tcs_shell){
+		.id = from ? from->id : 0,
+		.first_polygon = (uint32_t)out->polygons.count,
+		.solid = build->solid,
+		.interior = from && from->interior,
+	};
+	build->voids += from && from->interior;
+	return TCS_OK;
+}
+
+static uint8_t
+kind_of(const struct build *build, const struct raw_geometry *geometry,
+	enum raw_shape shape, const struct raw_use *first)
+{
+	if (shape == RAW_LINE)
+		return TCS_MULTI_CURVE;
+	if (shape == RAW_POINT)
+		return TCS_MULTI_POINT;
+	if (geometry->kind == RAW_KIND_UNKNOWN)
+		return first->shell != TCS_NONE && first->home == build->raw
+			? TCS_SOLID
+			: TCS_MULTI_SURFACE;
+	if (geometry->kind == TCS_MULTI_CURVE ||
+		geometry->kind == TCS_MULTI_POINT)
+		return TCS_MULTI_SURFACE;
+	return geometry->kind;
+}
+
+static enum tcs_status
+uses_write(struct build *build, uint32_t index, enum raw_shape shape,
+	struct tcs_geometry *geometry, struct tcs_fault *fault)
+{
+	const struct link_work *links = &build->builder->links;
+	const struct raw_geometry *from = &build->raw->geometries.at[index];
+	struct tcs_object *out = build->out;
+	bool begun = false;
+
+	for (uint32_t i = links->first_use.at[index];
+		i < links->first_use.at[index + 1]; i++) {
+		const struct raw_use *use = &links->uses.at[i];
+		size_t before = out->polygons.count;
+		enum tcs_status status = TCS_OK;
+
+		if (use->state != USE_KEPT ||
+			use->home->polygons.at[use->polygon].shape != shape)
+			continue;
+		if (!begun)
+			geometry->kind = kind_of(build, from, shape, use);
+		begun = true;
+		if (is_solid_kind(geometry->kind))
+			status = shell_enter(
+				build, use, geometry->first_shell, fault);
+		if (!status)
+			status = use_write(build, use, fault);
+		if (status)
+			return status;
+		if (is_solid_kind(geometry->kind))
+			out->shells.at[out->shells.count - 1].polygon_count +=
+				(uint32_t)(out->polygons.count - before);
+	}
+	return TCS_OK;
+}
+
+/* A geometry of areas, of lines and of points becomes one of each. */
+static enum tcs_status
+geometry_write(struct build *build, uint32_t index, enum raw_shape shape,
+	struct tcs_fault *fault)
+{
+	const struct raw_geometry *from = &build->raw->geometries.at[index];
+	struct tcs_object *out = build->out;
+	struct tcs_geometry geometry = {
+		.feature = from->feature,
+		.id = from->id,
+		.role = from->role,
+		.first_shell = (uint32_t)out->shells.count,
+		.first_polygon = (uint32_t)out->polygons.count,
+		.lod = build->builder->links.lods.at[index],
+	};
+	enum tcs_status status =
+		uses_write(build, index, shape, &geometry, fault);
+
+	if (status)
+		return status;
+	geometry.polygon_count =
+		(uint32_t)out->polygons.count - geometry.first_polygon;
+	if (!geometry.polygon_count) {
+		out->shells.count = geometry.first_shell;
+		return TCS_OK;
+	}
+	geometry.shell_count =
+		(uint32_t)out->shells.count - geometry.first_shell;
+	if (geometry.kind == TCS_SOLID && build->solid > 0)
+		geometry.kind = TCS_MULTI_SOLID;
+	if (array_grow(&out->geometries, 1))
+		return fault_memory(fault);
+	out->geometries.at[out->geometries.count++] = geometry;
+	return TCS_OK;
+}
+
+/* ---- counts --------------------------------------------------------------------------- */
+
+static const char *const class_counts[] = {
+#define CLASS_COUNT(number, label, kind, m2, n2, m3, n3, colour) \
+	[number] = "class:" #label,
+	TCS_CLASSES(CLASS_COUNT)
+#undef CLASS_COUNT
+};
+
+static enum tcs_status
+count_features(struct build *build, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < build->out->features.count; i++)
+		status = report_add(build->report,
+			class_counts[build->out->features.at[i].class], 1,
+			fault);
+	return status;
+}
+
+static enum tcs_status
+count_all(struct build *build, struct tcs_fault *fault)
+{
+	const struct tcs_object *out = build->out;
+	const struct {
+		const char *name;
+		uint64_t count;
+	} counts[] = {
+		{"objects", 1},
+		{"features", out->features.count},
+		{"attributes", out->attributes.count},
+		{"geometries", out->geometries.count},
+		{"polygons", build->polygons},
+		{"shared polygons", build->shared},
+		{"polygons of other LODs", build->builder->links.left_out},
+		{"holes", build->holes},
+		{"voids", build->voids},
+		{"triangles", out->triangles.count},
+	};
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < sizeof counts / sizeof *counts; i++)
+		status = report_add(
+			build->report, counts[i].name, counts[i].count, fault);
+	return status ? status : count_features(build, fault);
+}
+
+/* ---- all of it --------------------------------------------------------------------------- */
+
+enum tcs_status
+build_object(struct builder *builder, const struct build_plan *plan,
+	struct raw_object *raw, struct tcs_fault *fault)
+{
+	struct build build = {
+		.builder = builder,
+		.plan = plan,
+		.raw = raw,
+		.out = &raw->tree,
+		.report = &raw->report,
+	};
+	enum tcs_status status;
+
+	status = links_resolve(&builder->links, raw, plan->library, &plan->lods,
+		&raw->report, fault);
+	if (!status)
+		status = paints_collect(&build, fault);
+	for (uint32_t i = 0; !status && i < raw->geometries.count; i++) {
+		build.solid = 0;
+		status = geometry_write(&build, i, RAW_AREA, fault);
+		if (!status)
+			status = geometry_write(&build, i, RAW_LINE, fault);
+		if (!status)
+			status = geometry_write(&build, i, RAW_POINT, fault);
+	}
+	if (!status)
+		status = attributes_sort(builder, &raw->tree, fault);
+	return status ? status : count_all(&build, fault);
+}

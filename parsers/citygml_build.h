@@ -1,0 +1,78 @@
+/*
+ * From a raw object to an object of the stream: links resolved, positions read
+ * and triangulated, materials put on polygons. The work of one worker thread.
+ */
+#ifndef TESSERA_CITYGML_BUILD_H
+#define TESSERA_CITYGML_BUILD_H
+
+#include "citygml_links.h"
+#include "citygml_raw.h"
+#include "number.h"
+#include "report.h"
+#include "triangulate.h"
+
+/* Global paints by target id, sorted; shared by all workers, read only. */
+struct global_paint {
+	const char *target;
+	const char *theme;
+	uint32_t material;
+	bool back;
+};
+
+/* What all workers are told; read only while they work. */
+struct build_plan {
+	struct lod_choice lods;
+	const struct raw_library *library; /* NULL in the first pass */
+	const struct global_paint *paints; /* sorted by target */
+	size_t paint_count;
+};
+
+/* A paint waiting for its polygon. */
+struct build_paint {
+	uint32_t polygon; /* of the raw object */
+	tcs_text theme;
+	uint32_t material;
+	bool back;
+};
+
+/* One worker's scratch, reused. All zero but for the triangulator. */
+struct builder {
+	struct triangulator *triangulator;
+	struct link_work links;
+	struct number_list numbers;
+	TCS_ARRAY(struct tcs_point) points; /* of one polygon, as written */
+	TCS_ARRAY(struct tcs_point) scaled; /* the same in metres */
+	TCS_ARRAY(uint32_t) ring_sizes;
+	TCS_ARRAY(tcs_text) ring_ids;
+	TCS_ARRAY(struct build_paint) paints; /* sorted by polygon */
+	TCS_ARRAY(uint32_t) order; /* of the attributes */
+	TCS_ARRAY(struct tcs_attribute) attributes;
+};
+
+enum tcs_status builder_init(
+	struct builder *builder, struct tcs_fault *fault) TCS_CHECKED;
+void builder_release(struct builder *builder);
+
+/*
+ * Complete raw->tree: geometries, shells, polygons and what they own. Counts
+ * and what was left out go to raw->report. Ids that links name and nothing has
+ * are in builder->links.missing for the caller to judge.
+ */
+enum tcs_status build_object(struct builder *builder,
+	const struct build_plan *plan, struct raw_object *raw,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* ---- citygml_rings.c ---------------------------------------------------- */
+
+/*
+ * Read the positions of a polygon, line or point into builder->points, and the
+ * sizes and ids of its rings, the outer ring first. *problem becomes a static
+ * text when the polygon cannot be used, NULL otherwise; harmless repairs are
+ * noted in the report.
+ */
+enum tcs_status rings_read(struct builder *builder,
+	const struct raw_object *home, const struct raw_polygon *polygon,
+	const char **problem, struct report *report,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+#endif

@@ -1,0 +1,481 @@
+#include "citygml_links.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "labels.h"
+
+void
+link_work_release(struct link_work *work)
+{
+	array_release(&work->uses);
+	array_release(&work->first_use);
+	array_release(&work->lods);
+	array_release(&work->groups);
+	array_release(&work->heads);
+	array_release(&work->emitted);
+	array_release(&work->missing);
+	index_release(&work->targets);
+}
+
+bool
+link_is_foreign(const char *href)
+{
+	return strchr(href, '#') || strstr(href, "://") || strchr(href, '/');
+}
+
+/* ---- following the links --------------------------------------------------- */
+
+struct use_context {
+	struct link_work *work;
+	const struct raw_object *raw;
+	const struct raw_library *library;
+	uint32_t geometry;
+	struct report *report;
+};
+
+static enum tcs_status
+use_add(const struct use_context *to, const struct raw_object *home,
+	uint32_t polygon, bool reversed, uint32_t shell, bool linked,
+	struct tcs_fault *fault)
+{
+	if (array_grow(&to->work->uses, 1))
+		return fault_memory(fault);
+	to->work->uses.at[to->work->uses.count++] = (struct raw_use){
+		.home = home,
+		.polygon = polygon,
+		.geometry = to->geometry,
+		.shell = shell,
+		.surface = to->raw->geometries.at[to->geometry].feature,
+		.next = TCS_NONE,
+		.reversed = reversed,
+		.linked = linked,
+	};
+	return TCS_OK;
+}
+
+/* A link that leaves the object: to the library, or nowhere. */
+static enum tcs_status
+use_outside(const struct use_context *to, const struct raw_member *member,
+	bool reversed, uint32_t shell, struct tcs_fault *fault)
+{
+	const char *id = object_text(&to->raw->tree, member->href);
+	const struct raw_object *store =
+		to->library ? to->library->store : NULL;
+	const struct raw_target *target =
+		store ? index_find(&to->library->index, store, id) : NULL;
+	enum tcs_status status = TCS_OK;
+
+	if (link_is_foreign(id))
+		return report_item(to->report, REPORT_SKIPPED, "link",
+			"to another document, not followed", id, TCS_NOWHERE,
+			fault);
+	if (!target) {
+		if (array_grow(&to->work->missing, 1))
+			return fault_memory(fault);
+		to->work->missing.at[to->work->missing.count++] = member->href;
+		return TCS_OK;
+	}
+	for (uint32_t i = target->first_member;
+		!status && i < target->member_end; i++)
+		status = use_add(to, store, store->members.at[i].polygon,
+			reversed != store->members.at[i].reversed, shell, true,
+			fault);
+	return status;
+}
+
+static enum tcs_status
+use_member(void *context, const struct raw_member *member, bool reversed,
+	uint32_t shell, bool linked, struct tcs_fault *fault)
+{
+	const struct use_context *to = context;
+
+	if (member->polygon == TCS_NONE)
+		return use_outside(to, member, reversed, shell, fault);
+	return use_add(
+		to, to->raw, member->polygon, reversed, shell, linked, fault);
+}
+
+static enum tcs_status
+uses_collect(struct link_work *work, const struct raw_object *raw,
+	const struct raw_library *library, struct report *report,
+	struct tcs_fault *fault)
+{
+	struct use_context context = {work, raw, library, 0, report};
+	struct member_walk walk = {
+		.raw = raw,
+		.index = raw->has_links ? &work->targets : NULL,
+		.context = &context,
+		.take = use_member,
+		.budget = 1024 + 64 * (uint64_t)raw->members.count,
+	};
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < raw->geometries.count; i++) {
+		const struct raw_geometry *geometry = &raw->geometries.at[i];
+
+		context.geometry = (uint32_t)i;
+		work->first_use.at[i] = (uint32_t)work->uses.count;
+		status = members_walk(&walk, geometry->first_member,
+			geometry->first_member + geometry->member_count, false,
+			TCS_NONE, false, fault);
+	}
+	work->first_use.at[raw->geometries.count] = (uint32_t)work->uses.count;
+	if (!status && walk.exceeded)
+		status = report_item(report, REPORT_SKIPPED, "link",
+			"in a circle, or multiplying beyond reason",
+			object_text(&raw->tree, raw->tree.features.at[0].id),
+			TCS_NOWHERE, fault);
+	return status;
+}
+
+/* ---- levels of detail --------------------------------------------------------- */
+
+static enum label_kind
+kind_of_feature(const struct raw_object *raw, uint32_t feature)
+{
+	return label_of(raw->tree.features.at[feature].class)->kind;
+}
+
+static bool
+is_thematic(const struct raw_object *raw, uint32_t feature)
+{
+	enum label_kind kind = kind_of_feature(raw, feature);
+
+	return kind == LABEL_SURFACE || kind == LABEL_OPENING;
+}
+
+static void
+groups_find(struct link_work *work, const struct raw_object *raw)
+{
+	for (uint32_t i = 0; i < raw->tree.features.count; i++) {
+		uint32_t parent = raw->tree.features.at[i].parent;
+
+		work->groups.at[i] = parent != TCS_NONE && is_thematic(raw, i)
+			? work->groups.at[parent]
+			: i;
+	}
+}
+
+static bool
+is_relief(unsigned class)
+{
+	return class == TCS_CLASS_TINRelief ||
+		class == TCS_CLASS_MassPointRelief ||
+		class == TCS_CLASS_BreaklineRelief;
+}
+
+/* A relief says its level in an attribute; heads serve as a table of them. */
+static void
+relief_lods_find(struct link_work *work, const struct raw_object *raw)
+{
+	const struct tcs_object *tree = &raw->tree;
+
+	for (size_t i = 0; i < tree->features.count; i++)
+		work->heads.at[i] = TCS_LOD_NONE;
+	for (size_t i = 0; i < tree->attributes.count; i++) {
+		const struct tcs_attribute *attribute = &tree->attributes.at[i];
+
+		if (attribute->number >= 0 && attribute->number <= 4 &&
+			!strcmp(object_text(tree, attribute->name), "lod"))
+			work->heads.at[attribute->feature] =
+				(uint32_t)attribute->number;
+	}
+}
+
+static void
+lods_find(struct link_work *work, const struct raw_object *raw)
+{
+	bool has_relief = false;
+
+	for (size_t i = 0; i < raw->tree.features.count; i++)
+		has_relief |= is_relief(raw->tree.features.at[i].class);
+	if (has_relief)
+		relief_lods_find(work, raw);
+	for (size_t i = 0; i < raw->geometries.count; i++) {
+		const struct raw_geometry *geometry = &raw->geometries.at[i];
+		unsigned class = raw->tree.features.at[geometry->feature].class;
+
+		work->lods.at[i] = geometry->lod;
+		if (geometry->lod == TCS_LOD_NONE && is_relief(class))
+			work->lods.at[i] =
+				(uint8_t)work->heads.at[geometry->feature];
+	}
+}
+
+static enum raw_shape
+shape_of(const struct raw_use *use)
+{
+	return use->home->polygons.at[use->polygon].shape;
+}
+
+/* Lines and points count only where a feature has no areas at all. */
+static int
+rank_of(const struct link_work *work, uint32_t geometry)
+{
+	uint32_t first = work->first_use.at[geometry];
+	uint32_t end = work->first_use.at[geometry + 1];
+	int lod = work->lods.at[geometry];
+
+	if (lod == TCS_LOD_NONE || first == end)
+		return -1;
+	for (uint32_t i = first; i < end; i++)
+		if (shape_of(&work->uses.at[i]) == RAW_AREA)
+			return lod + 8;
+	return lod;
+}
+
+static void
+mark_unwanted(struct link_work *work, uint32_t geometry)
+{
+	for (uint32_t i = work->first_use.at[geometry];
+		i < work->first_use.at[geometry + 1]; i++) {
+		struct raw_use *use = &work->uses.at[i];
+
+		use->state = USE_UNWANTED;
+		work->left_out += !use->linked && shape_of(use) == RAW_AREA;
+	}
+}
+
+/* Per group, heads serves as the highest rank plus one. */
+static void
+lods_choose(struct link_work *work, const struct raw_object *raw,
+	const struct lod_choice *choice)
+{
+	for (size_t i = 0; i < raw->tree.features.count; i++)
+		work->heads.at[i] = 0;
+	for (uint32_t i = 0; i < raw->geometries.count; i++) {
+		uint32_t group = work->groups.at[raw->geometries.at[i].feature];
+		uint32_t rank = (uint32_t)(rank_of(work, i) + 1);
+
+		if (rank > work->heads.at[group])
+			work->heads.at[group] = rank;
+	}
+	for (uint32_t i = 0; i < raw->geometries.count; i++) {
+		uint32_t group = work->groups.at[raw->geometries.at[i].feature];
+		uint32_t highest = (work->heads.at[group] - 1) & 7;
+		uint8_t lod = work->lods.at[i];
+
+		if (lod == TCS_LOD_NONE)
+			continue;
+		if (choice->highest ? lod != highest : !choice->lods[lod])
+			mark_unwanted(work, i);
+	}
+}
+
+/* ---- giving every polygon to one geometry ---------------------------------------- */
+
+enum claim { CLAIM_SOLID, CLAIM_THEMATIC, CLAIM_HOST };
+
+static bool
+is_solid(const struct link_work *work, const struct raw_object *raw,
+	uint32_t geometry)
+{
+	uint8_t kind = raw->geometries.at[geometry].kind;
+	uint32_t first = work->first_use.at[geometry];
+
+	if (kind == RAW_KIND_UNKNOWN)
+		return first < work->first_use.at[geometry + 1] &&
+			work->uses.at[first].shell != TCS_NONE;
+	return kind == TCS_SOLID || kind == TCS_MULTI_SOLID ||
+		kind == TCS_COMPOSITE_SOLID;
+}
+
+static enum claim
+claim_of(const struct link_work *work, const struct raw_object *raw,
+	uint32_t geometry)
+{
+	if (is_solid(work, raw, geometry))
+		return CLAIM_SOLID;
+	if (is_thematic(raw, raw->geometries.at[geometry].feature))
+		return CLAIM_THEMATIC;
+	return CLAIM_HOST;
+}
+
+static bool
+is_below(const struct raw_object *raw, uint32_t feature, uint32_t ancestor)
+{
+	while (feature != TCS_NONE && feature != ancestor)
+		feature = raw->tree.features.at[feature].parent;
+	return feature == ancestor;
+}
+
+/* The polygons' lists of uses at one level of detail; areas only. */
+static void
+lists_build(struct link_work *work, const struct raw_object *raw, uint8_t lod)
+{
+	memset(work->heads.at, 0xff,
+		raw->polygons.count * sizeof *work->heads.at);
+	for (size_t i = work->uses.count; i-- > 0;) {
+		struct raw_use *use = &work->uses.at[i];
+
+		if (use->home != raw || use->state == USE_UNWANTED ||
+			work->lods.at[use->geometry] != lod)
+			continue;
+		use->next = work->heads.at[use->polygon];
+		work->heads.at[use->polygon] = (uint32_t)i;
+	}
+}
+
+static void
+use_keep(struct link_work *work, const struct raw_object *raw,
+	struct raw_use *use)
+{
+	use->state = USE_KEPT;
+	if (use->home != raw)
+		return;
+	use->shared = work->emitted.at[use->polygon];
+	work->emitted.at[use->polygon] = true;
+}
+
+#define MAX_CANDIDATES 1000 /* uses of one polygon that are looked at */
+
+/* A boundary surface of the solid's feature comes before any other. */
+static void
+solid_take(struct link_work *work, const struct raw_object *raw,
+	struct raw_use *use)
+{
+	uint32_t host = raw->geometries.at[use->geometry].feature;
+	uint32_t best = TCS_NONE;
+	int left = MAX_CANDIDATES;
+
+	for (uint32_t i = work->heads.at[use->polygon];
+		i != TCS_NONE && left-- > 0; i = work->uses.at[i].next) {
+		uint32_t feature =
+			raw->geometries.at[work->uses.at[i].geometry].feature;
+
+		if (claim_of(work, raw, work->uses.at[i].geometry) !=
+			CLAIM_THEMATIC)
+			continue;
+		if (best == TCS_NONE)
+			best = i;
+		if (is_below(raw, feature, host)) {
+			best = i;
+			break;
+		}
+	}
+	if (best != TCS_NONE) {
+		use->surface = raw->geometries.at[work->uses.at[best].geometry]
+				       .feature;
+		work->uses.at[best].state = USE_ABSORBED;
+	}
+	use_keep(work, raw, use);
+}
+
+/* The use of this polygon that is kept at this level, if any. */
+static const struct raw_use *
+use_kept(const struct link_work *work, const struct raw_use *use)
+{
+	int left = MAX_CANDIDATES;
+
+	for (uint32_t i = work->heads.at[use->polygon];
+		i != TCS_NONE && left-- > 0; i = work->uses.at[i].next)
+		if (work->uses.at[i].state == USE_KEPT)
+			return &work->uses.at[i];
+	return NULL;
+}
+
+/*
+ * A second surface with the same polygon is the same surface named twice,
+ * unless it looks the other way: then it is the neighbour's side.
+ */
+static void
+surface_take(struct link_work *work, const struct raw_object *raw,
+	struct raw_use *use)
+{
+	const struct raw_use *kept = use_kept(work, use);
+
+	if (kept && kept->reversed == use->reversed)
+		use->state = USE_ABSORBED;
+	else
+		use_keep(work, raw, use);
+}
+
+static void
+uses_claim(struct link_work *work, const struct raw_object *raw, uint8_t lod,
+	enum claim claim)
+{
+	for (size_t i = 0; i < work->uses.count; i++) {
+		struct raw_use *use = &work->uses.at[i];
+
+		if (use->state != USE_OPEN ||
+			work->lods.at[use->geometry] != lod ||
+			claim_of(work, raw, use->geometry) != claim)
+			continue;
+		if (use->home != raw || shape_of(use) != RAW_AREA)
+			use_keep(work, raw, use);
+		else if (claim == CLAIM_SOLID)
+			solid_take(work, raw, use);
+		else
+			surface_take(work, raw, use);
+	}
+}
+
+static bool
+lod_is_used(
+	const struct link_work *work, const struct raw_object *raw, uint8_t lod)
+{
+	for (size_t i = 0; i < raw->geometries.count; i++)
+		if (work->lods.at[i] == lod)
+			return true;
+	return false;
+}
+
+/* ---- all of it -------------------------------------------------------------------- */
+
+static int
+work_prepare(struct link_work *work, const struct raw_object *raw)
+{
+	size_t features = raw->tree.features.count;
+	size_t heads =
+		raw->polygons.count > features ? raw->polygons.count : features;
+
+	array_clear(&work->uses);
+	array_clear(&work->first_use);
+	array_clear(&work->lods);
+	array_clear(&work->groups);
+	array_clear(&work->heads);
+	array_clear(&work->emitted);
+	array_clear(&work->missing);
+	work->left_out = 0;
+	if (array_grow(&work->first_use, raw->geometries.count + 1) ||
+		array_grow(&work->lods, raw->geometries.count) ||
+		array_grow(&work->groups, features) ||
+		array_grow(&work->heads, heads + 1) ||
+		array_grow(&work->emitted, raw->polygons.count + 1))
+		return -1;
+	memset(work->emitted.at, 0,
+		raw->polygons.count * sizeof *work->emitted.at);
+	return 0;
+}
+
+enum tcs_status
+links_resolve(struct link_work *work, const struct raw_object *raw,
+	const struct raw_library *library, const struct lod_choice *choice,
+	struct report *report, struct tcs_fault *fault)
+{
+	static const uint8_t levels[] = {0, 1, 2, 3, 4, TCS_LOD_NONE};
+	enum tcs_status status = TCS_OK;
+
+	if (work_prepare(work, raw))
+		return fault_memory(fault);
+	array_clear(&work->targets.slots);
+	if (raw->has_links || raw->paints.count)
+		status = index_build(&work->targets, raw, fault);
+	if (!status)
+		status = uses_collect(work, raw, library, report, fault);
+	if (status)
+		return status;
+	groups_find(work, raw);
+	lods_find(work, raw);
+	lods_choose(work, raw, choice);
+	for (size_t i = 0; i < sizeof levels; i++) {
+		if (!lod_is_used(work, raw, levels[i]))
+			continue;
+		lists_build(work, raw, levels[i]);
+		uses_claim(work, raw, levels[i], CLAIM_SOLID);
+		uses_claim(work, raw, levels[i], CLAIM_THEMATIC);
+		uses_claim(work, raw, levels[i], CLAIM_HOST);
+	}
+	return TCS_OK;
+}
