@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <inttypes.h>
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -259,6 +260,84 @@ input_rewind(struct input *input, struct tcs_fault *fault)
 	else if (lseek(gz->fd, gz->start, SEEK_SET) == gz->start)
 		return begin(input, fault);
 	return fault_system(fault, "cannot read again", input->name);
+}
+
+static enum tcs_status
+write_all(int fd, const unsigned char *bytes, size_t length,
+	struct tcs_fault *fault)
+{
+	while (length) {
+		ssize_t count = write(fd, bytes, length);
+
+		if (count < 0 && errno == EINTR)
+			continue;
+		if (count < 0)
+			return fault_system(
+				fault, "cannot write", "a temporary file");
+		bytes += count;
+		length -= (size_t)count;
+	}
+	return TCS_OK;
+}
+
+/* Copy what is held and what is still to come. */
+static enum tcs_status
+spool_to(struct input *input, int fd, struct tcs_fault *fault)
+{
+	struct input_gz *gz = input->gz;
+
+	while (gz->inflate.avail_in || !gz->ended) {
+		enum tcs_status status = write_all(
+			fd, gz->inflate.next_in, gz->inflate.avail_in, fault);
+
+		input->size += gz->inflate.avail_in;
+		gz->inflate.avail_in = 0;
+		if (!status)
+			status = fetch(input, 1, fault);
+		if (status)
+			return status;
+	}
+	return TCS_OK;
+}
+
+/* An open file without a name, in $TMPDIR or else /tmp. */
+static int
+open_nameless(void)
+{
+	const char *folder = getenv("TMPDIR");
+	char name[PATH_MAX];
+	int fd;
+
+	if (snprintf(name, sizeof name, "%s/tessera-XXXXXX",
+		    folder && *folder ? folder : "/tmp") >= (int)sizeof name) {
+		errno = ENAMETOOLONG;
+		return -1;
+	}
+	fd = mkstemp(name);
+	if (fd >= 0)
+		unlink(name);
+	return fd;
+}
+
+enum tcs_status
+input_spool(struct input *input, struct tcs_fault *fault)
+{
+	struct input_gz *gz = input->gz;
+	enum tcs_status status;
+	int fd;
+
+	if (input->can_rewind)
+		return TCS_OK;
+	fd = open_nameless();
+	if (fd < 0)
+		return fault_system(fault, "cannot create", "a temporary file");
+	status = spool_to(input, fd, fault);
+	if (gz->fd > STDIN_FILENO)
+		close(gz->fd);
+	gz->fd = fd;
+	gz->start = 0;
+	input->can_rewind = true;
+	return status ? status : input_rewind(input, fault);
 }
 
 uint64_t

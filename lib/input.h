@@ -1,6 +1,7 @@
 /*
  * An input of bytes: a file, standard input, gzip or plain, told apart by
- * content. A file, and only a file, can be read twice.
+ * content. A file can be read twice; what comes through a pipe only after
+ * input_spool.
  */
 #ifndef TESSERA_INPUT_H
 #define TESSERA_INPUT_H
@@ -32,6 +33,15 @@ enum tcs_status input_read(struct input *input, void *bytes, size_t room,
 	size_t *got, struct tcs_fault *fault) TCS_CHECKED;
 
 enum tcs_status input_rewind(
+	struct input *input, struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Before the first read: make an input that cannot be read twice one that can,
+ * by copying all of it, as stored, to a file that has no name and vanishes with
+ * the process. Nothing happens to an input that already can. Fails with
+ * TCS_SYSTEM.
+ */
+enum tcs_status input_spool(
 	struct input *input, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Bytes consumed of what is stored, for progress against `size`. */
