@@ -68,7 +68,7 @@ archive_of = $(if $(1),$(if $(call sources_in,$(1)),$(build)/$(1).a))
 archives := $(strip $(foreach folder,parsers simplify writers lib,\
 	$(call archive_of,$(folder))))
 
-.PHONY: all demo test check unit cases suites cases-accept lint format bench \
+.PHONY: all demo test unit seeds cases suites cases-accept lint format bench \
 	fuzz install uninstall clean help demo-here test-here \
 	lint-build FORCE
 .DELETE_ON_ERROR:
@@ -125,6 +125,7 @@ generator_parts := $(addprefix $(build)/,$(patsubst %.c,%.o,$(filter-out \
 	$(wildcard samples/make*.c),$(wildcard samples/*.c))))
 fuzzers := $(patsubst tests/fuzz/%_fuzz.c,$(build)/fuzz/%,\
 	$(wildcard tests/fuzz/*_fuzz.c))
+replays := $(call built_from,tests/fuzz/*_fuzz.c)
 link_test = $(call show,LD)$(CXX) $(all_ldflags) -o $@ $(filter %.o %.a,$^) $(libs)
 
 $(unit_tests) $(benches): $(build)/%: $(build)/%.o $(archives) $(build)/flags
@@ -138,6 +139,11 @@ $(fuzzers): $(build)/fuzz/%: $(build)/tests/fuzz/%_fuzz.o $(archives) \
 		$(build)/flags
 	@mkdir -p $(@D)
 	$(link_test) -fsanitize=fuzzer
+
+# The same without a fuzzer, to run over the seeds.
+$(replays): $(build)/%: $(build)/%.o $(build)/tests/fuzz/replay.o $(archives) \
+		$(build)/flags
+	$(link_test)
 
 # All processors, unless -j says otherwise.
 in_parallel = $(MAKE) --no-print-directory \
@@ -157,11 +163,14 @@ test:
 	@tests/packages.sh build test
 	@$(in_parallel) test-here
 
-test-here: all $(unit_tests) $(generators)
-	@$(run) unit cases suites
+test-here: all $(unit_tests) $(replays) $(generators)
+	@$(run) unit seeds cases suites
 
 unit: $(unit_tests)
 	@$(run) unit
+
+seeds: $(replays)
+	@$(run) seeds
 
 cases: all $(generators)
 	@$(run) cases
@@ -181,7 +190,7 @@ fuzz: $(fuzzers)
 	@BUILD='$(abspath $(build))' tests/fuzz/run.sh '$(SECONDS)' $(NAME)
 else
 fuzz:
-	@$(MAKE) --no-print-directory config=fuzz fuzz
+	@$(in_parallel) config=fuzz fuzz
 endif
 
 lint:
@@ -190,8 +199,7 @@ lint:
 	@BUILD='$(abspath $(build))' tests/lint.sh
 
 # Everything that is C or C++, for the compilers' warnings.
-lint-build: all $(unit_tests) $(benches) $(generators) \
-	$(patsubst %.c,$(build)/%.o,$(wildcard tests/fuzz/*.c))
+lint-build: all $(unit_tests) $(replays) $(benches) $(generators)
 
 format:
 	clang-format -i $$(tests/lint.sh --sources)
@@ -222,7 +230,7 @@ help:
 	@echo 'make demo       set up, build, turn a sample town into a GLB'
 	@echo 'make test       set up, build, run every test'
 	@echo 'make all        build the programs into $(bin)'
-	@echo 'make unit | cases | suites'
+	@echo 'make unit | seeds | cases | suites'
 	@echo '                build and run one kind of test'
 	@echo 'make cases-accept [CASES="tessera/help ..."]'
 	@echo '                rewrite the expectations of the cases'

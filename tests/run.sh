@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/run.sh [unit] [cases] [suites]: run kinds of tests and add them up.
+# tests/run.sh [unit] [seeds] [cases] [suites]: run kinds of tests and add them up.
 #
 # Every test program and script ends in a line "N passed, N failed" or
 # "N passed, N failed, N skipped" on standard output and says on standard error
@@ -61,6 +61,19 @@ run_unit() {
 	done
 }
 
+# The seeds of every fuzz target, through it once.
+run_seeds() {
+	local source name
+	for source in "$ROOT"/tests/fuzz/*_fuzz.c; do
+		[[ -e $source ]] || continue
+		name=$(basename "$source" _fuzz.c)
+		shopt -s nullglob
+		run_one "seeds/$name" timeout 600 \
+			"$BUILD/tests/fuzz/${name}_fuzz" \
+			"$ROOT/tests/fuzz/corpus/$name"/*
+	done
+}
+
 run_suites() {
 	local script
 	for script in "$ROOT"/tests/suites/*.sh; do
@@ -74,6 +87,7 @@ cd "$ROOT" || exit 1
 for kind in "${@:-unit}"; do
 	case $kind in
 	unit) run_unit ;;
+	seeds) run_seeds ;;
 	cases) run_one cases tests/run-cases.sh ;;
 	suites) run_suites ;;
 	*)
