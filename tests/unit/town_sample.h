@@ -43,11 +43,9 @@ sample_text_in(void *text, const char *string)
 
 #define SAMPLE_TEXT(record, string) sample_text_in(&(record)->text, (string))
 
-/* Two quads of a solid, a point, three features, two themes, an instance. */
 static inline void
-sample_object(struct tcs_object *o)
+sample_features(struct tcs_object *o)
 {
-	object_clear(o);
 	SAMPLE_PUSH(o->features,
 		(struct tcs_feature){.id = SAMPLE_TEXT(o, "b1"),
 			.name = SAMPLE_TEXT(o, "Town hall \xc3\xa4"),
@@ -63,6 +61,11 @@ sample_object(struct tcs_object *o)
 			.type = SAMPLE_TEXT(o, "IfcDoor"),
 			.parent = 1,
 			.class = TCS_CLASS_Door});
+}
+
+static inline void
+sample_attributes(struct tcs_object *o)
+{
 	SAMPLE_PUSH(o->attributes,
 		(struct tcs_attribute){.number = 12.5,
 			.parent = TCS_NONE,
@@ -92,6 +95,11 @@ sample_object(struct tcs_object *o)
 	SAMPLE_PUSH(o->relations,
 		(struct tcs_relation){2, SAMPLE_TEXT(o, "fills"),
 			SAMPLE_TEXT(o, "w1"), SAMPLE_TEXT(o, "note")});
+}
+
+static inline void
+sample_polygons(struct tcs_object *o)
+{
 	SAMPLE_PUSH(o->geometries,
 		(struct tcs_geometry){.id = SAMPLE_TEXT(o, "s1"),
 			.shell_count = 1,
@@ -130,6 +138,11 @@ sample_object(struct tcs_object *o)
 			.first_ring = 2,
 			.ring_count = 1,
 			.first_triangle = 4});
+}
+
+static inline void
+sample_vertices(struct tcs_object *o)
+{
 	SAMPLE_PUSH(o->rings,
 		(struct tcs_ring){
 			.id = SAMPLE_TEXT(o, "r1"), .vertex_count = 4});
@@ -149,6 +162,11 @@ sample_object(struct tcs_object *o)
 		SAMPLE_PUSH(o->triangles,
 			(struct tcs_triangle){{4 * i, 4 * i + 2, 4 * i + 3}});
 	}
+}
+
+static inline void
+sample_paints(struct tcs_object *o)
+{
 	SAMPLE_PUSH(o->paints,
 		(struct tcs_paint){.polygon = 1,
 			.theme = SAMPLE_TEXT(o, "summer"),
@@ -171,6 +189,18 @@ sample_object(struct tcs_object *o)
 			.feature = 2,
 			.id = SAMPLE_TEXT(o, "tree"),
 			.lod = 3});
+}
+
+/* Two quads of a solid, a point, three features, two themes, an instance. */
+static inline void
+sample_object(struct tcs_object *o)
+{
+	object_clear(o);
+	sample_features(o);
+	sample_attributes(o);
+	sample_polygons(o);
+	sample_vertices(o);
+	sample_paints(o);
 }
 
 /* A triangle in coordinates of its own. */
