@@ -380,17 +380,33 @@ write_record(struct tcs_writer *writer, const struct tcs_record *record,
 	return status;
 }
 
+/* The head first and once, the end by writer_end, eights of bytes. */
+static enum tcs_status
+check_place(const struct tcs_writer *writer, const struct tcs_record *record,
+	struct tcs_fault *fault)
+{
+	const char *what = NULL;
+
+	if (!writer->at && record->type != TCS_HEAD)
+		what = "the stream does not begin with a head";
+	else if (writer->at && record->type == TCS_HEAD)
+		what = "the stream has a second head";
+	else if (record->type == TCS_END)
+		what = "the end record is no record to pass on";
+	else if (record->bytes.count % 8)
+		what = "a record's length is no multiple of 8";
+	return what ? fault_set(fault, TCS_BAD_INPUT, TCS_NOWHERE, "%s", what)
+		    : TCS_OK;
+}
+
 enum tcs_status
 writer_put(struct tcs_writer *writer, const struct tcs_record *record,
 	struct tcs_fault *fault)
 {
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status = check_place(writer, record, fault);
 
-	if (!writer->at != (record->type == TCS_HEAD) ||
-		record->type == TCS_END || record->bytes.count % 8)
-		return fault_set(fault, TCS_BAD_INPUT, TCS_NOWHERE,
-			"a record is out of place: the head comes first and "
-			"once, the end last, and lengths are multiples of 8");
+	if (status)
+		return status;
 	status = tally_add(&writer->tally, record, fault);
 	if (!status && !writer->at)
 		status = write_stream_head(writer, fault);
