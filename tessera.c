@@ -11,7 +11,7 @@
 #include "pipeline.h"
 #include "program.h"
 
-enum { MAX_TAKERS = 4, MAX_NAME = 4096, MAX_NUMBER = 24 };
+enum { MAX_TAKERS = 4, MAX_NAME = 4096, MAX_NUMBER = 24, MAX_OPTION = 64 };
 
 /* A format by the end of a file's name, and who reads and writes it. */
 struct format {
@@ -41,10 +41,10 @@ enum { FORMATS = sizeof formats / sizeof *formats };
 
 /* An option handed on to the first stage of the pipe that takes it. */
 struct passed {
-	const char *option;
+	const char *name; /* without its dashes; NULL ends a table */
+	const char *argument, *help;
 	const char *takers[MAX_TAKERS];
-	const char *value;
-	bool given;
+	const char *value; /* as given; NULL: not given */
 };
 
 /* What to run, and how. */
@@ -133,6 +133,15 @@ add_option(struct plan *plan, size_t stage, const char *option,
 	return status;
 }
 
+static bool
+takes(const struct passed *passed, const char *program)
+{
+	for (int i = 0; i < MAX_TAKERS && passed->takers[i]; i++)
+		if (!strcmp(passed->takers[i], program))
+			return true;
+	return false;
+}
+
 /* A stage with the passed options it is the first to take. */
 static enum tcs_status
 add_stage(struct plan *plan, const char *program, struct passed *passed,
@@ -141,15 +150,17 @@ add_stage(struct plan *plan, const char *program, struct passed *passed,
 	size_t stage = plan->pipeline.stages.count;
 	enum tcs_status status = pipeline_add(&plan->pipeline, program, fault);
 
-	for (; !status && passed->option; passed++)
-		for (int i = 0; passed->given && i < MAX_TAKERS; i++) {
-			if (!passed->takers[i] ||
-				strcmp(passed->takers[i], program) != 0)
-				continue;
-			status = add_option(plan, stage, passed->option,
-				passed->value, fault);
-			passed->given = false;
-		}
+	for (; !status && passed->name; passed++) {
+		char option[MAX_OPTION];
+
+		if (!passed->value || !takes(passed, program))
+			continue;
+		snprintf(option, sizeof option, "--%s", passed->name);
+		status = add_option(plan, stage, option, passed->value, fault);
+		passed->value = NULL;
+	}
+	if (!status && plan->to && !strcmp(program, "tcs2gltf"))
+		status = add_option(plan, stage, "--format", plan->to, fault);
 	return status;
 }
 
@@ -176,10 +187,11 @@ make_plan(struct plan *plan, struct passed *passed, struct tcs_fault *fault)
 		status = add_stage(plan, reader, passed, fault);
 	if (!status && *writer)
 		status = add_stage(plan, writer, passed, fault);
-	for (; !status && passed->option; passed++)
-		if (passed->given)
-			program_usage(command, "no stage of this pipe takes %s",
-				passed->option);
+	for (; !status && passed->name; passed++)
+		if (passed->value)
+			program_usage(command,
+				"no stage of this pipe takes --%s",
+				passed->name);
 	return status;
 }
 
@@ -361,47 +373,79 @@ prepare_and_run(struct plan *plan, struct passed *passed)
 	return fflush(stdout) ? EXIT_FAILED : EXIT_DONE;
 }
 
-static const char *
-note_passed(void *target, const char *argument)
-{
-	struct passed *passed = target;
+static const struct passed passed_options[] = {
+	{"lod", "LIST",
+		"Levels of detail to take (default: the highest of each "
+		"feature).",
+		{"citygml2tcs", "tcs2gltf"}, NULL},
+	{"max-bytes", "N", "Longest document to read, uncompressed.",
+		{"citygml2tcs"}, NULL},
+	{"max-depth", "N", "Deepest nesting of elements to read.",
+		{"citygml2tcs"}, NULL},
+	{"max-record", "BYTES", "Largest record of the stream.",
+		{"json2tcs", "tcs2json", "tcs2gltf"}, NULL},
+	{"max-triangles", "N", "Most triangles of one object.", {"tcs2gltf"},
+		NULL},
+	{"max-columns", "N", "Most columns of attributes in a table.",
+		{"tcs2gltf"}, NULL},
+	{"theme", "NAME", "Appearance theme for colours.", {"tcs2gltf"}, NULL},
+	{"normals", "KIND", "Normals: flat, smooth, none.", {"tcs2gltf"}, NULL},
+	{"crease", "DEGREES", "Angle from which smooth normals keep an edge.",
+		{"tcs2gltf"}, NULL},
+	{"origin", "PLACE", "Where the origin stands: extras, translation.",
+		{"tcs2gltf"}, NULL},
+};
 
-	passed->given = true;
-	passed->value = argument;
-	return NULL;
+enum {
+	PASSED = sizeof passed_options / sizeof *passed_options,
+	OWN = 3,
+};
+
+/* The driver's own options, then those it hands on, then the zero row. */
+static void
+fill_options(struct option_row rows[OWN + PASSED + 1], struct plan *plan,
+	struct passed passed[PASSED + 1])
+{
+	const struct option_row own[OWN] = {
+		{OPTION_PARSE, 0, "from", "FORMAT",
+			"Read FORMAT, whatever the input is called.",
+			&plan->from, 0, 0, note_suffix},
+		{OPTION_PARSE, 0, "to", "FORMAT",
+			"Write FORMAT, whatever the output is called.",
+			&plan->to, 0, 0, note_suffix},
+		{OPTION_FLAG, 'n', "dry-run", NULL,
+			"Print the pipe instead of running it.", &plan->dry_run,
+			0, 0, NULL},
+	};
+
+	memcpy(rows, own, sizeof own);
+	for (size_t i = 0; i < PASSED; i++) {
+		passed[i] = passed_options[i];
+		rows[OWN + i] = (struct option_row){
+			.type = OPTION_TEXT,
+			.name = passed[i].name,
+			.argument = passed[i].argument,
+			.help = passed[i].help,
+			.target = &passed[i].value,
+		};
+	}
+	rows[OWN + PASSED] = (struct option_row){.type = OPTION_END};
+	passed[PASSED] = (struct passed){.name = NULL};
 }
 
 int
 main(int argc, char **argv)
 {
-	enum { LOD };
-	struct passed passed[] = {
-		[LOD] = {"--lod", {"citygml2tcs", "tcs2gltf"}, NULL, false},
-		{NULL, {NULL}, NULL, false},
-	};
 	struct plan plan = {.folder = ""};
-	const struct option_row options[] = {
-		{OPTION_PARSE, 0, "from", "FORMAT",
-			"Read FORMAT, whatever the input is called.",
-			&plan.from, 0, 0, note_suffix},
-		{OPTION_PARSE, 0, "to", "FORMAT",
-			"Write FORMAT, whatever the output is called.",
-			&plan.to, 0, 0, note_suffix},
-		{OPTION_PARSE, 0, "lod", "N",
-			"Take level of detail N (default: the highest of each "
-			"feature).",
-			&passed[LOD], 0, 0, note_passed},
-		{OPTION_FLAG, 'n', "dry-run", NULL,
-			"Print the pipe instead of running it.", &plan.dry_run,
-			0, 0, NULL},
-		{0},
-	};
+	struct passed passed[PASSED + 1];
+	struct option_row options[OWN + PASSED + 1];
 	const struct program program = {"tessera", "[options] in -o out",
 		"Convert a city or building model, by its file names, through "
 		"the programs for its formats.",
 		options, PROGRAM_READS};
 	int result;
 
+	fill_options(options, &plan, passed);
 	program_begin(&program, argc, argv, &plan.command);
 	result = prepare_and_run(&plan, passed);
 	pipeline_release(&plan.pipeline);
