@@ -163,7 +163,15 @@ test:
 	@tests/packages.sh build test
 	@$(in_parallel) test-here
 
-test-here: all $(unit_tests) $(replays) $(generators)
+# The validator and the viewer of the tests, as the lock file pins them.
+node_lock := $(wildcard tests/node/package-lock.json)
+node_modules := $(if $(node_lock),tests/node/node_modules/.package-lock.json)
+
+$(node_modules): $(node_lock)
+	$(call show,NPM)cd tests/node && npm ci --silent --ignore-scripts \
+		--no-audit --no-fund && touch node_modules/.package-lock.json
+
+test-here: all $(unit_tests) $(replays) $(generators) $(node_modules)
 	@$(run) unit seeds cases suites
 
 unit: $(unit_tests)
@@ -175,7 +183,7 @@ seeds: $(replays)
 cases: all $(generators)
 	@$(run) cases
 
-suites: all $(generators)
+suites: all $(generators) $(node_modules)
 	@$(run) suites
 
 cases-accept: all $(generators)
