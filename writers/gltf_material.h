@@ -1,0 +1,50 @@
+/*
+ * The materials of a glTF: one per distinct look, numbered as they come up.
+ *
+ * source: glTF 2.0, 3.9 (materials); IEC 61966-2-1 (sRGB); X3DMaterial of
+ * CityGML 2.0, 9.2. A Blinn-Phong shininess s becomes the roughness
+ * sqrt(2 / (2 + 128 s)) (Walter et al. 2007, eq. 35, alpha squared).
+ */
+#ifndef TESSERA_GLTF_MATERIAL_H
+#define TESSERA_GLTF_MATERIAL_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "array.h"
+#include "fault.h"
+#include "gltf_index.h"
+
+struct tcs_palette;
+
+/* One material, values linear, 0…1. */
+struct material_look {
+	double colour[4]; /* red, green, blue, alpha */
+	double emissive[3];
+	double roughness;
+	bool double_sided;
+	char *name; /* the class or the id of the first one; owned */
+};
+
+/* All zero is empty. */
+struct materials {
+	TCS_ARRAY(struct material_look) looks;
+	struct byte_index by_look; /* same numbers as the looks */
+	struct byte_index by_paint; /* paints seen before … */
+	TCS_ARRAY(uint32_t) of_paint; /* … and the look of each */
+};
+
+/* sRGB 0…1 to linear light. */
+double colour_linear(double srgb);
+
+/*
+ * The number of the material for a paint (PAINT_… of gltf_mesh.h). A paint
+ * beyond the palette is shown as class Unknown. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status materials_find(struct materials *materials, uint32_t paint,
+	const struct tcs_palette *palette, uint32_t *number,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+void materials_release(struct materials *materials);
+
+#endif

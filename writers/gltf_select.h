@@ -1,0 +1,44 @@
+/*
+ * Which geometries of an object are drawn, by level of detail.
+ *
+ * A level is chosen per *host*: a building, a part, an installation, a room.
+ * Surfaces and openings belong to their host and share its choice, so a wall
+ * is never shown at one level and the roof over it at another.
+ */
+#ifndef TESSERA_GLTF_SELECT_H
+#define TESSERA_GLTF_SELECT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "array.h"
+#include "fault.h"
+#include "tcs.h"
+
+enum {
+	SELECT_HIGHEST = -1, /* the highest level that has triangles */
+	SELECT_ALL = -2,
+};
+
+/* All zero is empty; reused from object to object. */
+struct selection {
+	TCS_ARRAY(uint32_t) hosts; /* per feature */
+	TCS_ARRAY(uint8_t) best; /* per feature: rank of its best level */
+	TCS_ARRAY(bool) geometries; /* per geometry: drawn */
+	TCS_ARRAY(bool) instances; /* per instance: drawn */
+};
+
+/*
+ * `lod` is a level or SELECT_…. A geometry without a level ranks below LOD 0.
+ * Curves and points are never drawn and never count. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status selection_make(struct selection *selection,
+	const struct tcs_object *object, int lod,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Whether a geometry is made of polygons: neither curves nor points. */
+bool geometry_has_area(const struct tcs_geometry *geometry);
+
+void selection_release(struct selection *selection);
+
+#endif

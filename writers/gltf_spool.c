@@ -1,0 +1,116 @@
+#include "gltf_spool.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { SPOOL_BUFFER = 1 << 18, POUR_BUFFER = 1 << 18 };
+
+static const char pattern[] = "/.tessera-XXXXXX";
+
+static char *
+spool_pattern(const char *beside)
+{
+	const char *folder = beside, *slash;
+	size_t length;
+	char *path;
+
+	if (beside) {
+		slash = strrchr(beside, '/');
+		folder = slash ? beside : ".";
+		length = slash ? (size_t)(slash - beside) : 1;
+	} else {
+		folder = getenv("TMPDIR");
+		if (!folder || !*folder)
+			folder = "/tmp";
+		length = strlen(folder);
+	}
+	path = malloc(length + sizeof pattern);
+	if (path) {
+		memcpy(path, folder, length);
+		memcpy(path + length, pattern, sizeof pattern);
+	}
+	return path;
+}
+
+enum tcs_status
+spool_open(struct spool *spool, const char *beside, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+	char *path = spool_pattern(beside);
+	int descriptor;
+
+	if (!path)
+		return fault_memory(fault);
+	descriptor = mkstemp(path);
+	if (descriptor < 0) {
+		status = fault_system(
+			fault, "cannot make a temporary file", path);
+		goto done;
+	}
+	unlink(path);
+	spool->file = fdopen(descriptor, "w+b");
+	if (!spool->file) {
+		close(descriptor);
+		status = fault_system(fault, "cannot use", path);
+		goto done;
+	}
+	setvbuf(spool->file, NULL, _IOFBF, SPOOL_BUFFER);
+	spool->size = 0;
+done:
+	free(path);
+	return status;
+}
+
+enum tcs_status
+spool_write(struct spool *spool, const void *bytes, size_t size,
+	struct tcs_fault *fault)
+{
+	if (fwrite(bytes, 1, size, spool->file) != size)
+		return fault_system(fault, "cannot write", "a temporary file");
+	spool->size += size;
+	return TCS_OK;
+}
+
+enum tcs_status
+spool_align(struct spool *spool, unsigned unit, struct tcs_fault *fault)
+{
+	static const unsigned char zeros[8];
+
+	return spool_write(spool, zeros,
+		(size_t)((unit - spool->size % unit) % unit), fault);
+}
+
+enum tcs_status
+spool_pour(struct spool *spool, FILE *to, const char *name,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+	uint64_t left = spool->size;
+	char *buffer = malloc(POUR_BUFFER);
+
+	if (!buffer)
+		return fault_memory(fault);
+	if (fflush(spool->file) || fseeko(spool->file, 0, SEEK_SET))
+		status = fault_system(fault, "cannot read", "a temporary file");
+	while (!status && left > 0) {
+		size_t want = left < POUR_BUFFER ? (size_t)left : POUR_BUFFER;
+
+		if (fread(buffer, 1, want, spool->file) != want)
+			status = fault_system(
+				fault, "cannot read", "a temporary file");
+		else if (fwrite(buffer, 1, want, to) != want)
+			status = fault_system(fault, "cannot write", name);
+		left -= want;
+	}
+	free(buffer);
+	return status;
+}
+
+void
+spool_close(struct spool *spool)
+{
+	if (spool->file)
+		fclose(spool->file);
+	*spool = (struct spool){0};
+}
