@@ -1,0 +1,318 @@
+#include "gltf_convert.h"
+
+#include <string.h>
+
+#include "labels.h"
+
+/* Everything a conversion passes down. */
+struct conversion {
+	struct converter *converter;
+	const struct convert_settings *settings;
+	const struct prototype_source *prototypes;
+	const struct tcs_object *object;
+	struct mesh *mesh;
+	struct report *report;
+	struct tcs_fault *fault;
+};
+
+/* ---- paint ----------------------------------------------------------- */
+
+/* The theme to show: the one asked for, or the first the object has. */
+static const char *
+object_theme(const struct tcs_object *object, const char *wanted)
+{
+	if (wanted || !object->paints.count)
+		return wanted;
+	return object_text(object, object->paints.at->theme);
+}
+
+static enum tcs_status
+note_texture(struct conversion *to, const struct tcs_object *object,
+	const struct tcs_paint *paint)
+{
+	const struct tcs_polygon *polygon =
+		object->polygons.at + paint->polygon;
+
+	return report_item(to->report, REPORT_SKIPPED, "texture",
+		"images are not carried", object_text(object, polygon->id),
+		TCS_NOWHERE, to->fault);
+}
+
+/* The material of each polygon of `object`, TCS_NONE without one. */
+static enum tcs_status
+find_paints(struct conversion *to, const struct tcs_object *object)
+{
+	struct converter *converter = to->converter;
+	const char *theme = object_theme(object, to->settings->theme);
+	enum tcs_status status = TCS_OK;
+
+	array_clear(&converter->paints);
+	if (array_grow(&converter->paints, object->polygons.count))
+		return fault_memory(to->fault);
+	converter->paints.count = object->polygons.count;
+	for (size_t i = 0; i < object->polygons.count; i++)
+		converter->paints.at[i] = TCS_NONE;
+	for (size_t i = 0; i < object->paints.count && !status; i++) {
+		const struct tcs_paint *paint = object->paints.at + i;
+		uint32_t *chosen = converter->paints.at + paint->polygon;
+
+		if (strcmp(object_text(object, paint->theme), theme) ||
+			paint->flags & TCS_PAINT_BACK)
+			continue;
+		if (*chosen == TCS_NONE)
+			*chosen = paint->material;
+		if (paint->image != TCS_NONE)
+			status = note_texture(to, object, paint);
+	}
+	return status;
+}
+
+static uint32_t
+polygon_paint(const struct conversion *to, uint32_t polygon, uint16_t class,
+	const struct tcs_geometry *geometry)
+{
+	uint32_t material = to->converter->paints.at[polygon];
+	bool solid = geometry->kind == TCS_SOLID ||
+		geometry->kind == TCS_MULTI_SOLID ||
+		geometry->kind == TCS_COMPOSITE_SOLID;
+	uint32_t paint = material == TCS_NONE || material > PAINT_NUMBER
+		? class
+		: material | PAINT_MATERIAL;
+
+	return solid ? paint : paint | PAINT_DOUBLE_SIDED;
+}
+
+/* ---- polygons -------------------------------------------------------- */
+
+static enum tcs_status
+note_outcome(struct conversion *to, enum mesh_outcome outcome, const char *id)
+{
+	switch (outcome) {
+	case MESH_NO_AREA:
+		return report_item(to->report, REPORT_SKIPPED, "polygon",
+			"no area", id, TCS_NOWHERE, to->fault);
+	case MESH_TOO_FAR:
+		return report_item(to->report, REPORT_SKIPPED, "polygon",
+			"too far from the origin for 32-bit floats", id,
+			TCS_NOWHERE, to->fault);
+	case MESH_DRAWN:
+		break;
+	}
+	return TCS_OK;
+}
+
+/*
+ * A polygon that stands in an earlier geometry too is drawn once. Not every
+ * earlier geometry is drawn, so this goes by the ids of those that were.
+ */
+static bool
+is_repeated(const struct conversion *to, const struct tcs_object *object,
+	const struct tcs_polygon *polygon)
+{
+	const char *id = object_text(object, polygon->id);
+
+	return polygon->flags & TCS_POLYGON_SHARED && polygon->id &&
+		byte_index_find(&to->converter->drawn, id, strlen(id)) !=
+		INDEX_NONE;
+}
+
+static enum tcs_status
+remember_drawn(struct conversion *to, const struct tcs_object *object,
+	const struct tcs_geometry *geometry)
+{
+	const struct tcs_polygon *polygon =
+		object->polygons.at + geometry->first_polygon;
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = 0; i < geometry->polygon_count && !status; i++) {
+		const char *id = object_text(object, polygon[i].id);
+		uint32_t number;
+		bool added;
+
+		if (polygon[i].id)
+			status = byte_index_add(&to->converter->drawn, id,
+				strlen(id), &number, &added, to->fault);
+	}
+	return status;
+}
+
+/*
+ * Draw one geometry of `object`, which is the object converted or a prototype.
+ * In a prototype every surface is the feature `placed`.
+ */
+static enum tcs_status
+draw_geometry(struct conversion *to, const struct tcs_object *object,
+	const struct tcs_geometry *geometry, const struct mesh_place *place,
+	uint32_t placed)
+{
+	enum tcs_status status = TCS_OK;
+	uint32_t end = geometry->first_polygon + geometry->polygon_count;
+
+	for (uint32_t i = geometry->first_polygon; i < end && !status; i++) {
+		const struct tcs_polygon *polygon = object->polygons.at + i;
+		uint32_t feature =
+			placed == TCS_NONE ? polygon->surface : placed;
+		uint16_t class = object->features.at[polygon->surface].class;
+		enum mesh_outcome outcome;
+
+		if (is_repeated(to, object, polygon))
+			continue;
+		if (placed != TCS_NONE && class == TCS_CLASS_Unknown)
+			class = to->object->features.at[placed].class;
+		status = mesh_add_polygon(to->mesh, object, polygon, place,
+			feature, polygon_paint(to, i, class, geometry),
+			to->settings->normals, &outcome, to->fault);
+		if (!status)
+			status = note_outcome(
+				to, outcome, object_text(object, polygon->id));
+	}
+	return status;
+}
+
+static bool
+shares_polygons(const struct tcs_object *object)
+{
+	for (size_t i = 0; i < object->polygons.count; i++)
+		if (object->polygons.at[i].flags & TCS_POLYGON_SHARED)
+			return true;
+	return false;
+}
+
+static enum tcs_status
+note_geometry(struct conversion *to, const struct tcs_geometry *geometry)
+{
+	const char *id = object_text(to->object, geometry->id);
+
+	if (geometry->kind == TCS_MULTI_CURVE)
+		return report_item(to->report, REPORT_SKIPPED, "geometry",
+			"curves are not carried", id, TCS_NOWHERE, to->fault);
+	if (geometry->kind == TCS_MULTI_POINT)
+		return report_item(to->report, REPORT_SKIPPED, "geometry",
+			"points are not carried", id, TCS_NOWHERE, to->fault);
+	return report_add(
+		to->report, "geometries of other levels", 1, to->fault);
+}
+
+static enum tcs_status
+draw_geometries(struct conversion *to)
+{
+	const struct tcs_object *object = to->object;
+	struct mesh_place place = {&to->settings->frame, NULL};
+	bool shared = shares_polygons(object);
+	enum tcs_status status = find_paints(to, object);
+
+	byte_index_clear(&to->converter->drawn);
+	for (size_t i = 0; i < object->geometries.count && !status; i++) {
+		const struct tcs_geometry *geometry = object->geometries.at + i;
+
+		if (!to->converter->selection.geometries.at[i]) {
+			status = note_geometry(to, geometry);
+			continue;
+		}
+		status = draw_geometry(to, object, geometry, &place, TCS_NONE);
+		if (!status && shared)
+			status = remember_drawn(to, object, geometry);
+	}
+	return status;
+}
+
+/* ---- instances ------------------------------------------------------- */
+
+static enum tcs_status
+draw_instance(struct conversion *to, const struct tcs_instance *instance)
+{
+	const struct tcs_object *prototype = to->prototypes->get(
+		to->prototypes->context, instance->prototype);
+	struct mesh_place place = {&to->settings->frame, instance};
+	enum tcs_status status;
+
+	byte_index_clear(&to->converter->drawn);
+	status = find_paints(to, prototype);
+	for (size_t i = 0; i < prototype->geometries.count && !status; i++) {
+		const struct tcs_geometry *geometry =
+			prototype->geometries.at + i;
+
+		status = geometry_has_area(geometry)
+			? draw_geometry(to, prototype, geometry, &place,
+				  instance->feature)
+			: note_geometry(to, geometry);
+	}
+	return status ? status
+		      : report_add(to->report, "instances", 1, to->fault);
+}
+
+static enum tcs_status
+draw_instances(struct conversion *to)
+{
+	const struct tcs_object *object = to->object;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; i < object->instances.count && !status; i++)
+		status = to->converter->selection.instances.at[i]
+			? draw_instance(to, object->instances.at + i)
+			: report_add(to->report, "instances of other levels", 1,
+				  to->fault);
+	return status;
+}
+
+/* ---- the whole ------------------------------------------------------- */
+
+static enum tcs_status
+note_rest(struct conversion *to)
+{
+	const struct tcs_object *object = to->object;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; i < object->relations.count && !status; i++) {
+		uint32_t feature = object->relations.at[i].feature;
+
+		status = report_item(to->report, REPORT_SKIPPED, "relation",
+			"links between features are not carried",
+			object_text(object, object->features.at[feature].id),
+			TCS_NOWHERE, to->fault);
+	}
+	if (!status && to->mesh->flat_triangles)
+		status = report_add(to->report, "triangles without area",
+			to->mesh->flat_triangles, to->fault);
+	if (!status)
+		status = report_add(to->report, "triangles",
+			to->mesh->indices.count / 3, to->fault);
+	return status;
+}
+
+enum tcs_status
+convert_object(struct converter *converter,
+	const struct convert_settings *settings,
+	const struct prototype_source *prototypes,
+	const struct tcs_object *object, struct mesh *mesh,
+	struct report *report, struct tcs_fault *fault)
+{
+	struct conversion to = {
+		converter, settings, prototypes, object, mesh, report, fault};
+	enum tcs_status status;
+
+	mesh_clear(mesh);
+	mesh->triangle_limit = settings->triangle_limit;
+	status = selection_make(
+		&converter->selection, object, settings->lod, fault);
+	if (!status)
+		status = draw_geometries(&to);
+	if (!status)
+		status = draw_instances(&to);
+	if (!status && settings->normals == MESH_SMOOTH)
+		status = mesh_smooth(mesh, settings->crease_cosine, fault);
+	if (!status)
+		status =
+			report_add(report, "polygons", mesh->runs.count, fault);
+	if (!status)
+		status = mesh_group(mesh, fault);
+	return status ? status : note_rest(&to);
+}
+
+void
+converter_release(struct converter *converter)
+{
+	selection_release(&converter->selection);
+	byte_index_release(&converter->drawn);
+	array_release(&converter->paints);
+}

@@ -1,0 +1,101 @@
+/*
+ * The mesh of one object as glTF wants it: 32-bit positions and normals, a
+ * feature per vertex, triangles grouped by material.
+ */
+#ifndef TESSERA_GLTF_MESH_H
+#define TESSERA_GLTF_MESH_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "array.h"
+#include "fault.h"
+#include "frame.h"
+#include "tcs.h"
+
+enum mesh_normals {
+	MESH_FLAT, /* one normal per polygon; per triangle where it is bent */
+	MESH_SMOOTH, /* averaged within one surface, up to the crease angle */
+	MESH_PLAIN, /* none: viewers shade flat by themselves */
+};
+
+/*
+ * What a polygon is painted with: its class's colour or an entry of the
+ * stream's materials, seen from one side or both.
+ */
+#define PAINT_DOUBLE_SIDED UINT32_C(0x80000000)
+#define PAINT_MATERIAL UINT32_C(0x40000000) /* else: a class */
+#define PAINT_NUMBER UINT32_C(0x3fffffff)
+
+/* A run of indices with one paint. */
+struct mesh_run {
+	uint32_t paint;
+	uint32_t first; /* in indices */
+	uint32_t count;
+};
+
+TCS_ARRAY_TYPE(mesh_indices, uint32_t);
+TCS_ARRAY_TYPE(mesh_runs, struct mesh_run);
+
+/* All zero is empty. The scratch arrays keep their room between polygons. */
+struct mesh {
+	TCS_ARRAY(float) positions; /* 3 per vertex, metres */
+	TCS_ARRAY(float) normals; /* 3 per vertex, unit; empty when plain */
+	TCS_ARRAY(uint32_t) features; /* per vertex: index in the object */
+	struct mesh_indices indices; /* three a triangle */
+	struct mesh_runs runs; /* one per polygon, then one per paint */
+	uint64_t triangle_limit; /* 0: none */
+	uint64_t flat_triangles; /* left out: no area */
+	TCS_ARRAY(struct tcs_point) local; /* scratch: the polygon, metres */
+	TCS_ARRAY(uint32_t) used; /* scratch: the vertex it became */
+	bool mirrored; /* scratch: the polygon arrived mirror-inverted */
+	struct mesh_indices sorted; /* scratch */
+};
+
+/* How a polygon reaches the frame: by an instance, or NULL directly. */
+struct mesh_place {
+	const struct frame *frame;
+	const struct tcs_instance *instance;
+};
+
+enum mesh_outcome {
+	MESH_DRAWN,
+	MESH_NO_AREA, /* every triangle is flat */
+	MESH_TOO_FAR, /* a position does not fit 32-bit floats */
+};
+
+/*
+ * Append one polygon of `object` for the feature `feature`. What came of it
+ * stands in *outcome. Fails with TCS_NO_MEMORY, or with TCS_LIMIT past
+ * triangle_limit.
+ */
+enum tcs_status mesh_add_polygon(struct mesh *mesh,
+	const struct tcs_object *object, const struct tcs_polygon *polygon,
+	const struct mesh_place *place, uint32_t feature, uint32_t paint,
+	enum mesh_normals normals, enum mesh_outcome *outcome,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Turn one run per polygon into one per paint, ordered by paint. */
+enum tcs_status mesh_group(
+	struct mesh *mesh, struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Replace flat normals by the average over the neighbours at the same
+ * position and of the same feature whose normals differ by less than the angle
+ * whose cosine is given.
+ */
+enum tcs_status mesh_smooth(struct mesh *mesh, double crease_cosine,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The box of the positions; there must be some. */
+void mesh_bounds(const struct mesh *mesh, float lower[3], float upper[3]);
+
+/* The number of different features. Uses the scratch arrays. */
+enum tcs_status mesh_count_features(struct mesh *mesh, size_t feature_count,
+	uint32_t *out, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Forget the content, keep room and limit. */
+void mesh_clear(struct mesh *mesh);
+void mesh_release(struct mesh *mesh);
+
+#endif
