@@ -42,6 +42,12 @@ town_pick(const struct town *town, unsigned salt, unsigned count)
 	return (unsigned)(bits % count);
 }
 
+double
+tunnel_start(const struct town *town)
+{
+	return town->columns * PITCH_X + 25;
+}
+
 bool
 town_full(const struct town *town)
 {
@@ -130,9 +136,11 @@ write_bank(struct town *town)
 static void
 write_town(struct town *town)
 {
-	double east = town->columns * PITCH_X, north = town->rows * PITCH_Y;
-	struct frame low = town_frame(-160, -170, 0);
-	struct frame high = town_frame(east + 170, north + 140, 0);
+	double north = town->rows * PITCH_Y;
+	double start = tunnel_start(town);
+	struct frame low = town_frame(LAND_WEST, LAND_SOUTH, 0);
+	struct frame high =
+		town_frame(start + LAND_EAST, north + LAND_NORTH, 0);
 
 	low.origin.z -= 10000;
 	high.origin.z += 60000;
@@ -143,8 +151,10 @@ write_town(struct town *town)
 	railway_write(town);
 	river_write(town);
 	bridge_write(town, 2 * PITCH_X - STREET / 2);
-	tunnel_write(town, east + 42, east + 140);
+	tunnel_write(
+		town, tunnel_start(town), tunnel_start(town) + TUNNEL_LENGTH);
 	relief_write(town);
+	pavement_colours_write(town);
 	if (town->ensemble && town->buildings >= town->ensemble + 4)
 		group_write(town, town->ensemble, 5);
 	gml_end(town->gml);

@@ -21,6 +21,14 @@
 #define RIVER_NORTH -22.0
 #define RIVER_SOUTH -52.0
 #define RAILWAY -66.0 /* its middle */
+#define TUNNEL_LENGTH 70.0
+
+/* How far the land reaches: east from the tunnel's start, north from the
+   northernmost street. */
+#define LAND_WEST -75.0
+#define LAND_EAST 90.0
+#define LAND_SOUTH -115.0
+#define LAND_NORTH 55.0
 
 struct town {
 	struct gml *gml;
@@ -43,6 +51,9 @@ struct frame town_frame(double x, double y, double degrees);
 /* A number from 0 to count - 1 that depends on the seed and the salt only. */
 unsigned town_pick(const struct town *town, unsigned salt, unsigned count);
 
+/* Where the railway enters the tunnel. */
+double tunnel_start(const struct town *town);
+
 bool town_full(const struct town *town);
 
 /* A level rectangle of the plan, looking up, as the only face of a shape. */
@@ -59,6 +70,7 @@ void block_write(struct town *town, unsigned column, unsigned row);
 /* The street that runs east south of a row of blocks. */
 const char *street_name(unsigned row);
 void street_write(struct town *town, unsigned column, unsigned row);
+void pavement_colours_write(struct town *town);
 void railway_write(struct town *town);
 void square_write(struct town *town, double x, double y);
 

@@ -151,7 +151,7 @@ house(const struct block *block, unsigned lot, struct frame frame)
 		.door = true,
 	};
 	building.roof = form < 3 ? "1030" : "1040";
-	building.lod3 = pick(block, lot, 9, 12) == 0;
+	building.lod3 = pick(block, lot, 9, 4) == 0;
 	add_chimney(body);
 	if (form < 3 && body->rise > 4)
 		add_dormer(body);

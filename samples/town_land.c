@@ -26,23 +26,39 @@ beyond(double at, double low, double high)
 	return at < low ? low - at : at > high ? at - high : 0;
 }
 
-/* Level in the town and along river and railway, rolling further out, and a
- * hill east of the town for the tunnel. */
+/* 0 up to low, 1 from high on. */
+static double
+ramp(double at, double low, double high)
+{
+	return fmin(fmax((at - low) / (high - low), 0), 1);
+}
+
+/* The hill that the tunnel goes through, east of the town. */
+static double
+hill_height(const struct town *town, double x, double y)
+{
+	double from = tunnel_start(town), to = from + TUNNEL_LENGTH;
+	double along = (x - (from + to) / 2) / 26, across = (y - RAILWAY) / 17;
+
+	if (y > RIVER_SOUTH - 1)
+		return 0;
+	return 24 * exp(-along * along - across * across) *
+		ramp(x, from, from + 8) * ramp(-x, -to, -to + 8);
+}
+
+/* Level in the town and along river and railway, rolling further out. */
 static double
 ground_height(const struct town *town, double x, double y)
 {
 	double east = town->columns * PITCH_X, north = town->rows * PITCH_Y;
 	double out = hypot(beyond(x, -12, east), beyond(y, -80, north));
-	double reach = fmin(beyond(y, -80, -12), 80) / 80;
-	double rolling = fmin(out, 90) / 90 *
-		(6 + 5 * sin(x / 47) + 4 * cos(y / 39 + x / 83));
-	double along = (x - east - 90) / 45, across = (y - RAILWAY) / 34;
+	double reach = ramp(beyond(y, -80, -12), 0, 60);
+	double rolling = ramp(out, 0, 70) *
+		(4 + 4 * sin(x / 47) + 3 * cos(y / 39 + x / 83));
 
 	if (y > RIVER_SOUTH + 1 && y < RIVER_NORTH - 1)
 		return -4;
-	return reach * rolling +
-		(y < RIVER_SOUTH ? 22 * exp(-along * along - across * across)
-				 : 0);
+	return reach * rolling + hill_height(town, x, y);
 }
 
 static void
@@ -108,11 +124,10 @@ tile_relief_write(struct town *town, unsigned column, unsigned row)
 static void
 relief_lines(const struct town *town, struct lines *x, struct lines *y)
 {
-	static const double west[] = {-160, -90};
-	static const double east[] = {42, 65, 90, 115, 140, 170};
-	static const double south[] = {-170, -140, -115, -97, -80, -66, -57,
+	static const double west[] = {LAND_WEST, -45};
+	static const double east[] = {0, 8, 20, 35, 50, 62, 70, 90};
+	static const double south[] = {LAND_SOUTH, -95, -82, -74, -66, -58,
 		RIVER_SOUTH, -49, -25, RIVER_NORTH};
-	static const double north[] = {60, 140};
 	double right = town->columns * PITCH_X, top = town->rows * PITCH_Y;
 
 	for (size_t i = 0; i < sizeof west / sizeof *west; i++)
@@ -121,14 +136,13 @@ relief_lines(const struct town *town, struct lines *x, struct lines *y)
 		lines_add(x, i * PITCH_X - STREET);
 	lines_add(x, right);
 	for (size_t i = 0; i < sizeof east / sizeof *east; i++)
-		lines_add(x, right + east[i]);
+		lines_add(x, tunnel_start(town) + east[i]);
 	for (size_t i = 0; i < sizeof south / sizeof *south; i++)
 		lines_add(y, south[i]);
 	for (unsigned i = 0; i <= town->rows; i++)
 		lines_add(y, i * PITCH_Y - STREET);
 	lines_add(y, top);
-	for (size_t i = 0; i < sizeof north / sizeof *north; i++)
-		lines_add(y, top + north[i]);
+	lines_add(y, top + LAND_NORTH);
 }
 
 /* Everything around the blocks. */

@@ -21,13 +21,25 @@ struct strip {
 	bool auxiliary;
 };
 
+/* The polygon of a strip, which colours name. */
 static void
-strip_surface(struct town *town, const struct strip *strip)
+strip_surface(struct town *town, const struct strip *strip, const char *id)
 {
+	struct gml *gml = town->gml;
+	struct lod_name lod = gml_lod_name(gml, "tran", 2, "MultiSurface");
+	char text[GML_ID + 8];
+
 	town_area(town, strip->x0, strip->y0, strip->x1, strip->y1, strip->z);
-	gml_multi_surface(town->gml,
-		gml_lod_name(town->gml, "tran", 2, "MultiSurface").text,
-		&town->shapes[0]);
+	gml_fresh_id(gml, text);
+	gml_open(gml, lod.text, NULL);
+	gml_open(gml, "gml:MultiSurface", text);
+	gml_open(gml, "gml:surfaceMember", NULL);
+	snprintf(text, sizeof text, "%s_P", id);
+	gml_polygon(
+		gml, text, &town->shapes[0], &town->shapes[0].faces[0], false);
+	gml_close(gml, "gml:surfaceMember");
+	gml_close(gml, "gml:MultiSurface");
+	gml_close(gml, lod.text);
 }
 
 static void
@@ -42,7 +54,7 @@ strip_write_2(struct town *town, const struct strip *strip, const char *id)
 	gml_open(town->gml, name, id);
 	gml_code(town->gml, "tran:function", strip->function);
 	gml_code(town->gml, "tran:surfaceMaterial", strip->material);
-	strip_surface(town, strip);
+	strip_surface(town, strip, id);
 	gml_close(town->gml, name);
 	gml_close(town->gml, property);
 }
@@ -64,7 +76,7 @@ strip_write_3(struct town *town, const struct strip *strip, const char *id)
 	gml_open(gml, property, NULL);
 	gml_open(gml, name, space);
 	gml_boundary_open(gml, "tran", area, id);
-	strip_surface(town, strip);
+	strip_surface(town, strip, id);
 	gml_code(gml, "tran:function", strip->function);
 	gml_code(gml, "tran:surfaceMaterial", strip->material);
 	gml_boundary_close(gml, "tran", area);
@@ -139,7 +151,7 @@ street_write(struct town *town, unsigned column, unsigned row)
 void
 railway_write(struct town *town)
 {
-	double west = -150, east = town->columns * PITCH_X + 160;
+	double west = LAND_WEST, east = tunnel_start(town) + LAND_EAST;
 	const struct strip strips[] = {
 		{west, RAILWAY - 2.6, east, RAILWAY - 1.1, 0.3, "8", "9",
 			false},
@@ -150,6 +162,40 @@ railway_write(struct town *town)
 
 	strips_write(town, "tran:Railway", "Railway", "Wehrtalbahn", strips,
 		sizeof strips / sizeof *strips);
+}
+
+enum { COLOURED = 8 }; /* streets each way that have colours */
+
+/* The strips numbered in `which` of every street, as one material. */
+static void
+strip_colour(struct town *town, const char *id, struct colour colour,
+	const char *which)
+{
+	char target[GML_ID];
+
+	gml_material_open(town->gml, id, colour);
+	for (unsigned row = 0; row < town->rows && row < COLOURED; row++)
+		for (unsigned column = 0;
+			column < town->columns && column < COLOURED; column++)
+			for (const char *at = which; *at; at++) {
+				snprintf(target, sizeof target,
+					"#Road_%u_%u_A%c_P", column, row, *at);
+				gml_leaf(town->gml, "app:target", target);
+			}
+	gml_material_close(town->gml);
+}
+
+/* Colours that belong to the model, not to a road: the first streets' only. */
+void
+pavement_colours_write(struct town *town)
+{
+	const struct colour slabs = {190, 184, 174, 0},
+			    grass = {122, 156, 84, 0};
+
+	gml_appearance_open(town->gml, true, "Pavement", "Farben");
+	strip_colour(town, "Pavement_slabs", slabs, "2367");
+	strip_colour(town, "Pavement_grass", grass, "4");
+	gml_appearance_close(town->gml, true);
 }
 
 /* A paved block with a hole where the fountain stands. */
