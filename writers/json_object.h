@@ -10,6 +10,6 @@
  * Runs become nesting: a feature holds its attributes, a geometry its shells
  * and polygons, a polygon its rings, vertices and triangles.
  */
-void json_object(struct json_text *json, const struct tcs_object *object);
+void print_object(struct json_text *json, const struct tcs_object *object);
 
 #endif

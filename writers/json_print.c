@@ -40,7 +40,7 @@ json_room(struct json_text *json, size_t length)
 }
 
 static void
-json_append(struct json_text *json, const char *text, size_t length)
+print_append(struct json_text *json, const char *text, size_t length)
 {
 	char *at = json_room(json, length);
 
@@ -51,32 +51,32 @@ json_append(struct json_text *json, const char *text, size_t length)
 }
 
 void
-json_raw(struct json_text *json, const char *text)
+print_raw(struct json_text *json, const char *text)
 {
-	json_append(json, text, strlen(text));
+	print_append(json, text, strlen(text));
 }
 
 void
-json_comma(struct json_text *json)
+print_comma(struct json_text *json)
 {
 	size_t count = json->bytes.count;
 	char last = count ? json->bytes.at[count - 1] : '{';
 
 	if (last != '{' && last != '[')
-		json_append(json, ",", 1);
+		print_append(json, ",", 1);
 }
 
 void
-json_key(struct json_text *json, const char *name)
+print_key(struct json_text *json, const char *name)
 {
-	json_comma(json);
-	json_append(json, "\"", 1);
-	json_raw(json, name);
-	json_append(json, "\":", 2);
+	print_comma(json);
+	print_append(json, "\"", 1);
+	print_raw(json, name);
+	print_append(json, "\":", 2);
 }
 
 static void
-json_escape(struct json_text *json, unsigned char character)
+print_escape(struct json_text *json, unsigned char character)
 {
 	static const char named[] = "\bb\ff\nn\rr\tt\"\"\\\\";
 	char out[8];
@@ -86,34 +86,34 @@ json_escape(struct json_text *json, unsigned char character)
 			continue;
 		out[0] = '\\';
 		out[1] = named[i + 1];
-		json_append(json, out, 2);
+		print_append(json, out, 2);
 		return;
 	}
 	snprintf(out, sizeof out, "\\u%04x", character);
-	json_append(json, out, 6);
+	print_append(json, out, 6);
 }
 
 void
-json_string(struct json_text *json, const char *text)
+print_string(struct json_text *json, const char *text)
 {
 	const char *from = text;
 
-	json_append(json, "\"", 1);
+	print_append(json, "\"", 1);
 	for (; *text; text++) {
 		unsigned char character = (unsigned char)*text;
 
 		if (character >= ' ' && character != '"' && character != '\\')
 			continue;
-		json_append(json, from, (size_t)(text - from));
-		json_escape(json, character);
+		print_append(json, from, (size_t)(text - from));
+		print_escape(json, character);
 		from = text + 1;
 	}
-	json_append(json, from, (size_t)(text - from));
-	json_append(json, "\"", 1);
+	print_append(json, from, (size_t)(text - from));
+	print_append(json, "\"", 1);
 }
 
 void
-json_unsigned(struct json_text *json, uint64_t value)
+print_unsigned(struct json_text *json, uint64_t value)
 {
 	char digits[20];
 	size_t at = sizeof digits;
@@ -122,20 +122,20 @@ json_unsigned(struct json_text *json, uint64_t value)
 		digits[--at] = (char)('0' + value % 10);
 		value /= 10;
 	} while (value);
-	json_append(json, digits + at, sizeof digits - at);
+	print_append(json, digits + at, sizeof digits - at);
 }
 
 void
-json_double(struct json_text *json, double value)
+print_double(struct json_text *json, double value)
 {
 	char *at;
 
 	if (isnan(value)) {
-		json_raw(json, "null");
+		print_raw(json, "null");
 		return;
 	}
 	if (isinf(value)) {
-		json_raw(json, value < 0 ? "\"-inf\"" : "\"inf\"");
+		print_raw(json, value < 0 ? "\"-inf\"" : "\"inf\"");
 		return;
 	}
 	at = json_room(json, NUMBER_LENGTH);
@@ -144,25 +144,25 @@ json_double(struct json_text *json, double value)
 }
 
 void
-json_doubles(struct json_text *json, const double *at, size_t count)
+print_doubles(struct json_text *json, const double *at, size_t count)
 {
-	json_append(json, "[", 1);
+	print_append(json, "[", 1);
 	for (size_t i = 0; i < count; i++) {
 		if (i)
-			json_append(json, ",", 1);
-		json_double(json, at[i]);
+			print_append(json, ",", 1);
+		print_double(json, at[i]);
 	}
-	json_append(json, "]", 1);
+	print_append(json, "]", 1);
 }
 
 /* The fewest digits that come back as the same float by way of a double. */
 static void
-json_float(struct json_text *json, float value)
+print_float(struct json_text *json, float value)
 {
 	char digits[32];
 
 	if (!isfinite(value)) {
-		json_double(json, (double)value);
+		print_double(json, (double)value);
 		return;
 	}
 	for (int precision = 1; precision <= 9; precision++) {
@@ -171,22 +171,22 @@ json_float(struct json_text *json, float value)
 		if ((float)strtod(digits, NULL) == value)
 			break;
 	}
-	json_raw(json, digits);
+	print_raw(json, digits);
 }
 
 void
-json_bytes(struct json_text *json, const unsigned char *bytes, size_t count)
+print_bytes(struct json_text *json, const unsigned char *bytes, size_t count)
 {
 	size_t length = BASE64_LENGTH(count);
 	char *at;
 
-	json_append(json, "\"", 1);
+	print_append(json, "\"", 1);
 	at = json_room(json, length);
 	if (at) {
 		base64_encode(at, bytes, count);
 		json->bytes.count += length;
 	}
-	json_append(json, "\"", 1);
+	print_append(json, "\"", 1);
 }
 
 /* ---- fields ---------------------------------------------------------- */
@@ -214,101 +214,101 @@ is_left_out(const struct tcs_field *field, const void *element)
 }
 
 static void
-json_flags(struct json_text *json, uint64_t flags, const char *const *names)
+print_flags(struct json_text *json, uint64_t flags, const char *const *names)
 {
-	json_raw(json, "[");
+	print_raw(json, "[");
 	for (; *names; names++, flags >>= 1) {
 		if (!(flags & 1))
 			continue;
-		json_comma(json);
-		json_string(json, *names);
+		print_comma(json);
+		print_string(json, *names);
 	}
 	/* bits without a name, as they stand behind the named ones */
 	if (flags) {
-		json_comma(json);
-		json_unsigned(json, flags);
+		print_comma(json);
+		print_unsigned(json, flags);
 	}
-	json_raw(json, "]");
+	print_raw(json, "]");
 }
 
 static void
-json_class(struct json_text *json, uint64_t class)
+print_class(struct json_text *json, uint64_t class)
 {
 	if (class < TCS_CLASS_COUNT)
-		json_string(json, label_of((unsigned)class)->name);
+		print_string(json, label_of((unsigned)class)->name);
 	else
-		json_unsigned(json, class);
+		print_unsigned(json, class);
 }
 
 static void
-json_numbers(
+print_numbers(
 	struct json_text *json, const struct tcs_field *field, const char *at)
 {
 	if (field->count > 1)
-		json_raw(json, "[");
+		print_raw(json, "[");
 	for (size_t i = 0; i < field->count; i++, at += field->size) {
 		double wide;
 		float narrow;
 
 		if (i)
-			json_raw(json, ",");
+			print_raw(json, ",");
 		if (field->type == FIELD_DOUBLE) {
 			memcpy(&wide, at, sizeof wide);
-			json_double(json, wide);
+			print_double(json, wide);
 		} else {
 			memcpy(&narrow, at, sizeof narrow);
-			json_float(json, narrow);
+			print_float(json, narrow);
 		}
 	}
 	if (field->count > 1)
-		json_raw(json, "]");
+		print_raw(json, "]");
 }
 
 static void
-json_integer(struct json_text *json, int32_t value)
+print_integer(struct json_text *json, int32_t value)
 {
 	if (value < 0)
-		json_raw(json, "-");
-	json_unsigned(json, (uint64_t)(value < 0 ? -(int64_t)value : value));
+		print_raw(json, "-");
+	print_unsigned(json, (uint64_t)(value < 0 ? -(int64_t)value : value));
 }
 
 static void
-json_field(struct json_text *json, const struct tcs_field *field,
+print_field(struct json_text *json, const struct tcs_field *field,
 	const void *element, const char *text)
 {
 	uint64_t value = field->count == 1 ? field_get(field, element) : 0;
 
 	switch (field->type) {
 	case FIELD_TEXT:
-		json_string(json, text + value);
+		print_string(json, text + value);
 		break;
 	case FIELD_CLASS:
-		json_class(json, value);
+		print_class(json, value);
 		break;
 	case FIELD_YES:
-		json_raw(json, "true");
+		print_raw(json, "true");
 		break;
 	case FIELD_INTEGER:
-		json_integer(json, (int32_t)(uint32_t)value);
+		print_integer(json, (int32_t)(uint32_t)value);
 		break;
 	case FIELD_NAMED:
-		json_string(json, field->names[value]);
+		print_string(json, field->names[value]);
 		break;
 	case FIELD_FLAGS:
-		json_flags(json, value, field->names);
+		print_flags(json, value, field->names);
 		break;
 	case FIELD_DOUBLE:
 	case FIELD_FLOAT:
-		json_numbers(json, field, (const char *)element + field->at);
+		print_numbers(json, field, (const char *)element + field->at);
 		break;
 	default:
-		json_unsigned(json, value);
+		print_unsigned(json, value);
 		break;
 	}
 }
 
 void
-json_fields(struct json_text *json, const struct tcs_fields *fields,
+print_fields(struct json_text *json, const struct tcs_fields *fields,
 	const void *element, const char *text)
 {
 	for (size_t i = 0; i < fields->count; i++) {
@@ -316,7 +316,7 @@ json_fields(struct json_text *json, const struct tcs_fields *fields,
 
 		if (is_left_out(field, element))
 			continue;
-		json_key(json, field->name);
-		json_field(json, field, element, text);
+		print_key(json, field->name);
+		print_field(json, field, element, text);
 	}
 }

@@ -25,34 +25,34 @@ enum tcs_status json_text_status(
 	const struct json_text *json, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Punctuation as it is. */
-void json_raw(struct json_text *json, const char *text);
+void print_raw(struct json_text *json, const char *text);
 
 /* "name": with a comma before it unless something opens right there. */
-void json_key(struct json_text *json, const char *name);
+void print_key(struct json_text *json, const char *name);
 
 /* A comma, unless something opens right there. */
-void json_comma(struct json_text *json);
+void print_comma(struct json_text *json);
 
 /* A string, quoted and escaped. */
-void json_string(struct json_text *json, const char *text);
+void print_string(struct json_text *json, const char *text);
 
-void json_unsigned(struct json_text *json, uint64_t value);
+void print_unsigned(struct json_text *json, uint64_t value);
 
 /* Shortest to read back; null for NaN, "inf" and "-inf" as strings. */
-void json_double(struct json_text *json, double value);
+void print_double(struct json_text *json, double value);
 
 /* [1,2,3] */
-void json_doubles(struct json_text *json, const double *at, size_t count);
+void print_doubles(struct json_text *json, const double *at, size_t count);
 
 /* A string in base64. */
-void json_bytes(
+void print_bytes(
 	struct json_text *json, const unsigned char *bytes, size_t count);
 
 /*
  * The fields of an element as keys and values, those left out that the table
  * leaves out; no braces. `text` is the text array of the record.
  */
-void json_fields(struct json_text *json, const struct tcs_fields *fields,
+void print_fields(struct json_text *json, const struct tcs_fields *fields,
 	const void *element, const char *text);
 
 #endif

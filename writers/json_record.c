@@ -12,78 +12,78 @@ json_decoder_release(struct json_decoder *decoder)
 }
 
 static void
-json_begin(struct json_text *json, const char *kind)
+print_begin(struct json_text *json, const char *kind)
 {
-	json_raw(json, "{\"record\":");
-	json_string(json, kind);
+	print_raw(json, "{\"record\":");
+	print_string(json, kind);
 }
 
 /* ---- head, palette, end ---------------------------------------------- */
 
 static void
-json_head(struct json_text *json, const struct tcs_head *head)
+print_head(struct json_text *json, const struct tcs_head *head)
 {
-	json_begin(json, "head");
-	json_key(json, "crs");
-	json_raw(json, "{");
-	json_fields(json, &fields_crs, head->crs.at, head->text.at);
-	json_raw(json, "}");
-	json_key(json, "sources");
-	json_raw(json, "[");
+	print_begin(json, "head");
+	print_key(json, "crs");
+	print_raw(json, "{");
+	print_fields(json, &fields_crs, head->crs.at, head->text.at);
+	print_raw(json, "}");
+	print_key(json, "sources");
+	print_raw(json, "[");
 	for (size_t i = 0; i < head->sources.count; i++) {
-		json_raw(json, i ? ",{" : "{");
-		json_fields(json, &fields_source, &head->sources.at[i],
+		print_raw(json, i ? ",{" : "{");
+		print_fields(json, &fields_source, &head->sources.at[i],
 			head->text.at);
-		json_raw(json, "}");
+		print_raw(json, "}");
 	}
-	json_raw(json, "]");
-	json_key(json, "stages");
-	json_raw(json, "[");
+	print_raw(json, "]");
+	print_key(json, "stages");
+	print_raw(json, "[");
 	for (size_t i = 0; i < head->stages.count; i++) {
-		json_raw(json, i ? ",{" : "{");
-		json_fields(json, &fields_stage, &head->stages.at[i],
+		print_raw(json, i ? ",{" : "{");
+		print_fields(json, &fields_stage, &head->stages.at[i],
 			head->text.at);
-		json_raw(json, "}");
+		print_raw(json, "}");
 	}
-	json_raw(json, "]}\n");
+	print_raw(json, "]}\n");
 }
 
 static void
-json_palette(struct json_text *json, const struct tcs_palette *palette)
+print_palette(struct json_text *json, const struct tcs_palette *palette)
 {
-	json_begin(json, "palette");
-	json_key(json, "images");
-	json_raw(json, "[");
+	print_begin(json, "palette");
+	print_key(json, "images");
+	print_raw(json, "[");
 	for (size_t i = 0; i < palette->images.count; i++) {
 		const struct tcs_image *image = &palette->images.at[i];
 
-		json_raw(json, i ? ",{" : "{");
-		json_fields(json, &fields_image, image, palette->text.at);
+		print_raw(json, i ? ",{" : "{");
+		print_fields(json, &fields_image, image, palette->text.at);
 		if (image->byte_count) {
-			json_key(json, "bytes");
-			json_bytes(json, palette->bytes.at + image->first_byte,
+			print_key(json, "bytes");
+			print_bytes(json, palette->bytes.at + image->first_byte,
 				image->byte_count);
 		}
-		json_raw(json, "}");
+		print_raw(json, "}");
 	}
-	json_raw(json, "]");
-	json_key(json, "materials");
-	json_raw(json, "[");
+	print_raw(json, "]");
+	print_key(json, "materials");
+	print_raw(json, "[");
 	for (size_t i = 0; i < palette->materials.count; i++) {
-		json_raw(json, i ? ",{" : "{");
-		json_fields(json, &fields_material, &palette->materials.at[i],
+		print_raw(json, i ? ",{" : "{");
+		print_fields(json, &fields_material, &palette->materials.at[i],
 			palette->text.at);
-		json_raw(json, "}");
+		print_raw(json, "}");
 	}
-	json_raw(json, "]}\n");
+	print_raw(json, "]}\n");
 }
 
 static void
-json_end(struct json_text *json, const struct tcs_tally *tally)
+print_end(struct json_text *json, const struct tcs_tally *tally)
 {
-	json_begin(json, "end");
-	json_fields(json, &fields_tally, tally, NULL);
-	json_raw(json, "}\n");
+	print_begin(json, "end");
+	print_fields(json, &fields_tally, tally, NULL);
+	print_raw(json, "}\n");
 }
 
 /* ---- what is not known ----------------------------------------------- */
@@ -130,7 +130,7 @@ has_unknown(
 }
 
 static void
-json_other(struct json_text *json, const struct tcs_record *record)
+print_other(struct json_text *json, const struct tcs_record *record)
 {
 	char name[5] = {0};
 	bool printable = true;
@@ -139,21 +139,21 @@ json_other(struct json_text *json, const struct tcs_record *record)
 		name[i] = (char)(record->type >> 8 * i & 0xff);
 		printable = printable && name[i] >= ' ' && name[i] <= '~';
 	}
-	json_begin(json, "other");
-	json_key(json, "type");
+	print_begin(json, "other");
+	print_key(json, "type");
 	if (printable)
-		json_string(json, name);
+		print_string(json, name);
 	else
-		json_unsigned(json, record->type);
-	json_key(json, "bytes");
-	json_bytes(json, record->bytes.at, record->bytes.count);
-	json_raw(json, "}\n");
+		print_unsigned(json, record->type);
+	print_key(json, "bytes");
+	print_bytes(json, record->bytes.at, record->bytes.count);
+	print_raw(json, "}\n");
 }
 
 /* ---- records --------------------------------------------------------- */
 
 static enum tcs_status
-json_known(struct json_text *json, struct json_decoder *decoder,
+print_known(struct json_text *json, struct json_decoder *decoder,
 	const struct tcs_record *record, struct tcs_fault *fault)
 {
 	enum tcs_status status;
@@ -162,40 +162,40 @@ json_known(struct json_text *json, struct json_decoder *decoder,
 	case TCS_HEAD:
 		status = head_decode(&decoder->head, record, fault);
 		if (!status)
-			json_head(json, &decoder->head);
+			print_head(json, &decoder->head);
 		return status;
 	case TCS_PALETTE:
 		status = palette_decode(&decoder->palette, record, fault);
 		if (!status)
-			json_palette(json, &decoder->palette);
+			print_palette(json, &decoder->palette);
 		return status;
 	default:
 		status = object_decode(&decoder->object, record, fault);
 		if (status)
 			return status;
-		json_begin(json,
+		print_begin(json,
 			record->type == TCS_OBJECT ? "object" : "prototype");
-		json_object(json, &decoder->object);
-		json_raw(json, "}\n");
+		print_object(json, &decoder->object);
+		print_raw(json, "}\n");
 		return TCS_OK;
 	}
 }
 
 enum tcs_status
-json_record(struct json_text *json, struct json_decoder *decoder,
+print_record(struct json_text *json, struct json_decoder *decoder,
 	const struct tcs_record *record, struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
 	bool unknown;
 
 	if (record->type == TCS_END) {
-		json_end(json, &record->before);
+		print_end(json, &record->before);
 		return json_text_status(json, fault);
 	}
 	status = has_unknown(record, &unknown, fault);
 	if (!status && unknown)
-		json_other(json, record);
+		print_other(json, record);
 	else if (!status)
-		status = json_known(json, decoder, record, fault);
+		status = print_known(json, decoder, record, fault);
 	return status ? status : json_text_status(json, fault);
 }

@@ -22,7 +22,7 @@ void json_decoder_release(struct json_decoder *decoder);
  * the counts are those of record->before. Fails as decoding does, and with
  * TCS_NO_MEMORY.
  */
-enum tcs_status json_record(struct json_text *json,
+enum tcs_status print_record(struct json_text *json,
 	struct json_decoder *decoder, const struct tcs_record *record,
 	struct tcs_fault *fault) TCS_CHECKED;
 

@@ -41,7 +41,7 @@ print_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
 	struct item *item = slot;
 
 	json_text_clear(&item->json);
-	return json_record(
+	return print_record(
 		&item->json, &run->decoders[worker], &item->record, fault);
 }
 
