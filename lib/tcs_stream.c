@@ -118,7 +118,7 @@ check_record_head(const struct tcs_reader *reader,
 
 	if (head->flags & ~(uint32_t)TCS_RECORD_COMPRESSED || head->reserved ||
 		head->stored % 8 || head->length % 8 ||
-		(!packed && head->stored != head->length))
+		(packed ? !head->stored : head->stored != head->length))
 		return fault_set(fault, TCS_BAD_INPUT, at,
 			"a record's head is damaged or of a newer version");
 	if (head->stored > reader->max_record ||
