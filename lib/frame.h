@@ -4,9 +4,11 @@
  *
  * Projected, local and unknown systems are shifted and scaled. Geographic ones
  * go through a transverse Mercator projection centred on the origin, on the
- * GRS 80 ellipsoid (Snyder 1987, eq. 8-5 to 8-21): heights stay heights, and
- * distances are true to one part in a million within 9 km of the origin.
- * Geocentric ones are rotated to east, north, up at the origin.
+ * GRS 80 ellipsoid: heights stay heights, and distances are true to one part
+ * in a million within 9 km of the origin. Geocentric ones are rotated to east,
+ * north, up at the origin.
+ *
+ * source: J. P. Snyder, Map projections, 1987, eq. 3-21 and 8-9 to 8-15.
  */
 #ifndef TESSERA_FRAME_H
 #define TESSERA_FRAME_H
