@@ -44,15 +44,16 @@ spool_open(struct spool *spool, const char *beside, struct tcs_fault *fault)
 		return fault_memory(fault);
 	descriptor = mkstemp(path);
 	if (descriptor < 0) {
+		*strrchr(path, '/') = '\0';
 		status = fault_system(
-			fault, "cannot make a temporary file", path);
+			fault, "cannot make a temporary file in", path);
 		goto done;
 	}
 	unlink(path);
 	spool->file = fdopen(descriptor, "w+b");
 	if (!spool->file) {
 		close(descriptor);
-		status = fault_system(fault, "cannot use", path);
+		status = fault_system(fault, "cannot use", "a temporary file");
 		goto done;
 	}
 	setvbuf(spool->file, NULL, _IOFBF, SPOOL_BUFFER);

@@ -1,0 +1,222 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gltf_city.h"
+#include "gltf_file.h"
+#include "gltf_name.h"
+#include "gltf_stream.h"
+#include "output.h"
+#include "program.h"
+#include "progress.h"
+#include "report.h"
+
+enum format { FORMAT_BY_NAME, FORMAT_GLB, FORMAT_GLTF };
+
+struct options {
+	struct stream_settings stream;
+	enum format format;
+	bool translate;
+	double crease; /* degrees */
+	unsigned max_columns;
+};
+
+static const struct options defaults = {
+	.stream = {.convert = {.lod = SELECT_HIGHEST,
+			   .triangle_limit = 256 << 20},
+		.max_record = TCS_MAX_RECORD},
+	.crease = 30,
+	.max_columns = 1024,
+};
+
+static const char *
+parse_format(void *target, const char *argument)
+{
+	enum format *format = target;
+
+	if (!strcmp(argument, "glb"))
+		*format = FORMAT_GLB;
+	else if (!strcmp(argument, "gltf"))
+		*format = FORMAT_GLTF;
+	else
+		return "not one of glb, gltf";
+	return NULL;
+}
+
+static const char *
+parse_lod(void *target, const char *argument)
+{
+	int *lod = target;
+
+	if (!strcmp(argument, "highest"))
+		*lod = SELECT_HIGHEST;
+	else if (!strcmp(argument, "all"))
+		*lod = SELECT_ALL;
+	else if (*argument >= '0' && *argument <= '4' && !argument[1])
+		*lod = *argument - '0';
+	else
+		return "not one of 0, 1, 2, 3, 4, highest, all";
+	return NULL;
+}
+
+static const char *
+parse_normals(void *target, const char *argument)
+{
+	enum mesh_normals *normals = target;
+
+	if (!strcmp(argument, "flat"))
+		*normals = MESH_FLAT;
+	else if (!strcmp(argument, "smooth"))
+		*normals = MESH_SMOOTH;
+	else if (!strcmp(argument, "none"))
+		*normals = MESH_PLAIN;
+	else
+		return "not one of flat, smooth, none";
+	return NULL;
+}
+
+static const char *
+parse_origin(void *target, const char *argument)
+{
+	bool *translate = target;
+
+	if (strcmp(argument, "extras") && strcmp(argument, "translation"))
+		return "not one of extras, translation";
+	*translate = !strcmp(argument, "translation");
+	return NULL;
+}
+
+/* Convert the open input into the open file, ready to commit. */
+static enum tcs_status
+convert(const struct command *command, const struct options *options, FILE *in,
+	struct gltf_file *file, struct report *report, struct tcs_fault *fault)
+{
+	struct stream_head head = {.origin = {0, 0, 0}};
+	struct progress progress;
+	struct city city;
+	enum tcs_status status = city_begin(
+		&city, file_beside(file), options->max_columns, fault);
+
+	progress_begin(
+		&progress, command->program->name, "objects", command->quiet);
+	if (!status)
+		status = stream_to_city(in, &options->stream, &city, &head,
+			report, &progress, fault);
+	progress_end(&progress);
+	if (!status)
+		status = file_write(
+			file, &city, &head, options->translate, fault);
+	stream_head_release(&head);
+	city_release(&city);
+	return status;
+}
+
+/* The whole run between the command line and the exit code. */
+static enum tcs_status
+run(const struct command *command, const struct options *options, bool is_pair,
+	struct report *report, struct tcs_fault *fault)
+{
+	FILE *in = command->input ? fopen(command->input, "rb") : stdin;
+	struct gltf_file file;
+	enum tcs_status status;
+
+	if (!in)
+		return fault_system(fault, "cannot read", command->input);
+	status = file_open(&file, command->output, is_pair, fault);
+	if (!status)
+		status = convert(command, options, in, &file, report, fault);
+	if (!status && command->stats)
+		status = report_write(
+			report, command->program->name, command->stats, fault);
+	if (!status)
+		status = file_commit(&file, fault);
+	file_discard(&file);
+	if (in != stdin)
+		fclose(in);
+	return status;
+}
+
+static bool
+wants_pair(const struct command *command, const struct options *options)
+{
+	if (options->format == FORMAT_BY_NAME)
+		return command->output && name_is_gltf(command->output);
+	return options->format == FORMAT_GLTF;
+}
+
+int
+main(int argc, char **argv)
+{
+	struct options options = defaults;
+	struct convert_settings *settings = &options.stream.convert;
+	const struct option_row rows[] = {
+		{OPTION_PARSE, 0, "format", "glb|gltf",
+			"Write GLB, or .gltf and .bin (default: by the "
+			"output's name, else glb).",
+			&options.format, 0, 0, parse_format},
+		{OPTION_PARSE, 0, "lod", "N|highest|all",
+			"Draw this level of detail (default: the highest of "
+			"each feature).",
+			&settings->lod, 0, 0, parse_lod},
+		{OPTION_TEXT, 0, "theme", "NAME",
+			"Colour by this appearance theme (default: the first "
+			"of each object).",
+			&settings->theme, 0, 0, NULL},
+		{OPTION_PARSE, 0, "normals", "flat|smooth|none",
+			"One normal per polygon, averaged within a surface, "
+			"or none (default: flat).",
+			&settings->normals, 0, 0, parse_normals},
+		{OPTION_NUMBER, 0, "crease", "DEGREES",
+			"Keep edges of this angle in smooth normals (default: "
+			"30).",
+			&options.crease, 0, 180, NULL},
+		{OPTION_PARSE, 0, "origin", "extras|translation",
+			"Note the origin in extras only, or also move the "
+			"root node there (default: extras).",
+			&options.translate, 0, 0, parse_origin},
+		{OPTION_UNSIGNED, 0, "max-columns", "N",
+			"Most columns of attributes in a table (default: "
+			"1024).",
+			&options.max_columns, 0, 65535, NULL},
+		{OPTION_BYTES, 0, "max-triangles", "N",
+			"Most triangles of one object (default: 256M).",
+			&settings->triangle_limit, 0, 0, NULL},
+		{OPTION_BYTES, 0, "max-record", "BYTES",
+			"Largest record of the stream (default: 8G).",
+			&options.stream.max_record, 0, 0, NULL},
+		{.type = OPTION_END},
+	};
+	const struct program program = {
+		.name = "tcs2gltf",
+		.synopsis = "[options] [in [out]]",
+		.summary = "Write a component stream as glTF 2.0 with ids and "
+			   "attributes.",
+		.options = rows,
+		.flags = PROGRAM_READS | PROGRAM_BINARY_IN | PROGRAM_BINARY_OUT,
+	};
+	struct command command;
+	struct report report = {.counts = {NULL, 0, 0}};
+	struct tcs_fault fault;
+	bool is_pair;
+	int code = EXIT_DONE;
+
+	program_begin(&program, argc, argv, &command);
+	is_pair = wants_pair(&command, &options);
+	if (is_pair && !command.output) {
+		fprintf(stderr,
+			"tcs2gltf: --format gltf writes two files and "
+			"needs an output name\n");
+		return EXIT_USAGE;
+	}
+	options.stream.jobs = command.jobs;
+	options.stream.strict = command.strict;
+	settings->crease_cosine = cos(options.crease * acos(-1) / 180);
+	if (run(&command, &options, is_pair, &report, &fault))
+		code = program_fail(&command, &fault);
+	if (!command.quiet)
+		report_print(&report, program.name, stderr);
+	report_release(&report);
+	program_end(&command);
+	return code;
+}
