@@ -119,7 +119,8 @@ $(build)/flags: FORCE
 
 built_from = $(patsubst %.c,$(build)/%,$(wildcard $(1)))
 unit_tests := $(call built_from,tests/unit/*_test.c)
-benches := $(call built_from,tests/bench/*_bench.c)
+benches := $(call built_from,tests/bench/*_bench.c) \
+	$(patsubst %.cpp,$(build)/%,$(wildcard tests/bench/*.cpp))
 generators := $(call built_from,samples/make*.c)
 generator_parts := $(addprefix $(build)/,$(patsubst %.c,%.o,$(filter-out \
 	$(wildcard samples/make*.c),$(wildcard samples/*.c))))
