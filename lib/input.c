@@ -214,11 +214,12 @@ read_packed(struct input *input, void *bytes, size_t room, size_t *got,
 		status = fetch(input, 1, fault);
 		if (status)
 			return status;
-		if (!gz->inflate.avail_in)
+		/* It may hold output back even when all input is eaten. */
+		result = inflate(&gz->inflate, Z_NO_FLUSH);
+		if (result == Z_BUF_ERROR && !gz->inflate.avail_in)
 			return fault_set(fault, TCS_TRUNCATED,
 				input_consumed(input),
 				"the gzip data ends too early");
-		result = inflate(&gz->inflate, Z_NO_FLUSH);
 		if (result == Z_STREAM_END)
 			gz->in_member = false;
 		else if (result != Z_OK)
