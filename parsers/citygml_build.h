@@ -75,4 +75,16 @@ enum tcs_status rings_read(struct builder *builder,
 	const char **problem, struct report *report,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* ---- citygml_paint.c ---------------------------------------------------- */
+
+/* After links_resolve: all paints of the object, sorted by polygon. */
+enum tcs_status paints_collect(struct builder *builder,
+	const struct build_plan *plan, struct raw_object *raw,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Append the paints of one raw polygon to `out`, for its polygon there. */
+enum tcs_status paints_write(const struct builder *builder,
+	struct tcs_object *out, uint32_t raw_polygon, uint32_t polygon,
+	struct tcs_fault *fault) TCS_CHECKED;
+
 #endif

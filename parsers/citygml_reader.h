@@ -6,7 +6,8 @@
  * child's role. The files beside this one share the state:
  *
  *     citygml_reader.c      the stack, the model and its members
- *     citygml_features.c    features, their properties and attributes
+ *     citygml_features.c    features and their properties
+ *     citygml_attributes.c  what becomes of the text of properties
  *     citygml_geometry.c    GML geometry
  *     citygml_appearance.c  themes and materials
  *
@@ -193,6 +194,32 @@ enum tcs_status feature_child(struct gml_reader *reader, struct name *name,
 	struct tcs_fault *fault) TCS_CHECKED;
 enum tcs_status feature_end(struct gml_reader *reader, struct frame *frame,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Whether an attribute can come of the element: a property or below one. */
+bool attribute_may_come_of(const struct frame *frame);
+
+/* uom and codeSpace wait in the frame for the attribute. */
+enum tcs_status attribute_take_unit(struct gml_reader *reader,
+	struct frame *frame, const struct xml_attribute *attributes,
+	size_t count, struct tcs_fault *fault) TCS_CHECKED;
+
+/* XML attributes that say more become members "@name" of the top frame's. */
+enum tcs_status attribute_add_members(struct gml_reader *reader,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The element of the frame with this index was a leaf: its text is a value. */
+enum tcs_status attribute_finish(struct gml_reader *reader, size_t index,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+enum tcs_status generic_begin(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status generic_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status generic_part_end(struct gml_reader *reader,
+	const struct frame *frame, struct tcs_fault *fault) TCS_CHECKED;
 
 enum tcs_status geometry_begin(struct gml_reader *reader, struct name *name,
 	const struct xml_attribute *attributes, size_t count,
