@@ -146,7 +146,8 @@ enum {
 	/* The rings were repaired or re-triangulated: extra vertices may
 	   follow the ring vertices, and areas follow the repair. */
 	TCS_POLYGON_REPAIRED = 2,
-	/* The same polygon (by id) stands in an earlier geometry too. */
+	/* The same polygon (by id) stands in an earlier geometry, or in
+	   another object, too. */
 	TCS_POLYGON_SHARED = 4,
 };
 

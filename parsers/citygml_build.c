@@ -271,7 +271,7 @@ polygon_count(struct build *build, const struct raw_use *use)
 {
 	if (use->home->polygons.at[use->polygon].shape != RAW_AREA)
 		return;
-	if (use->shared || use->home != build->raw) {
+	if (use->shared) {
 		build->shared++;
 		return;
 	}

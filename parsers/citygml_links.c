@@ -24,6 +24,22 @@ link_is_foreign(const char *href)
 	return strchr(href, '#') || strstr(href, "://") || strchr(href, '/');
 }
 
+/* ---- features ---- */
+
+static enum label_kind
+kind_of_feature(const struct raw_object *raw, uint32_t feature)
+{
+	return label_of(raw->tree.features.at[feature].class)->kind;
+}
+
+static bool
+is_thematic(const struct raw_object *raw, uint32_t feature)
+{
+	enum label_kind kind = kind_of_feature(raw, feature);
+
+	return kind == LABEL_SURFACE || kind == LABEL_OPENING;
+}
+
 /* ---- following the links --------------------------------------------------- */
 
 struct use_context {
@@ -34,19 +50,34 @@ struct use_context {
 	struct report *report;
 };
 
+/* Until a boundary surface claims it: where it stands, if that is one. */
+static uint32_t
+surface_of(const struct raw_object *raw, uint32_t polygon, uint32_t feature)
+{
+	uint32_t inside =
+		raw->geometries.at[raw->polygons.at[polygon].geometry].feature;
+
+	return is_thematic(raw, inside) && !is_thematic(raw, feature) ? inside
+								      : feature;
+}
+
 static enum tcs_status
 use_add(const struct use_context *to, const struct raw_object *home,
 	uint32_t polygon, bool reversed, uint32_t shell, bool linked,
 	struct tcs_fault *fault)
 {
+	uint32_t feature = to->raw->geometries.at[to->geometry].feature;
+
 	if (array_grow(&to->work->uses, 1))
 		return fault_memory(fault);
+	if (home == to->raw)
+		feature = surface_of(to->raw, polygon, feature);
 	to->work->uses.at[to->work->uses.count++] = (struct raw_use){
 		.home = home,
 		.polygon = polygon,
 		.geometry = to->geometry,
 		.shell = shell,
-		.surface = to->raw->geometries.at[to->geometry].feature,
+		.surface = feature,
 		.next = TCS_NONE,
 		.reversed = reversed,
 		.linked = linked,
@@ -130,20 +161,6 @@ uses_collect(struct link_work *work, const struct raw_object *raw,
 }
 
 /* ---- levels of detail --------------------------------------------------------- */
-
-static enum label_kind
-kind_of_feature(const struct raw_object *raw, uint32_t feature)
-{
-	return label_of(raw->tree.features.at[feature].class)->kind;
-}
-
-static bool
-is_thematic(const struct raw_object *raw, uint32_t feature)
-{
-	enum label_kind kind = kind_of_feature(raw, feature);
-
-	return kind == LABEL_SURFACE || kind == LABEL_OPENING;
-}
 
 static void
 groups_find(struct link_work *work, const struct raw_object *raw)
@@ -322,10 +339,9 @@ use_keep(struct link_work *work, const struct raw_object *raw,
 	struct raw_use *use)
 {
 	use->state = USE_KEPT;
-	if (use->home != raw)
-		return;
-	use->shared = work->emitted.at[use->polygon];
-	work->emitted.at[use->polygon] = true;
+	use->shared = use->home != raw || work->emitted.at[use->polygon];
+	if (use->home == raw)
+		work->emitted.at[use->polygon] = true;
 }
 
 #define MAX_CANDIDATES 1000 /* uses of one polygon that are looked at */

@@ -42,7 +42,7 @@ struct raw_use {
 	uint8_t state; /* enum use_state */
 	bool reversed;
 	bool linked; /* came through a link */
-	bool shared; /* an earlier use of the polygon is kept too */
+	bool shared; /* an earlier use, or another object, has it too */
 };
 
 /* Scratch of one worker, reused; all zero is empty. */

@@ -1,0 +1,122 @@
+/* CityGML to a component stream: the option table and the loop. */
+#include <stdbool.h>
+#include <string.h>
+
+#include "citygml_convert.h"
+#include "output.h"
+
+/* "highest", "all", or numbers as in "0,2". */
+static const char *
+parse_lods(void *target, const char *argument)
+{
+	struct lod_choice *choice = target;
+
+	*choice = (struct lod_choice){0};
+	if (!strcmp(argument, "highest")) {
+		choice->highest = true;
+		return NULL;
+	}
+	if (!strcmp(argument, "all")) {
+		memset(choice->lods, true, sizeof choice->lods);
+		return NULL;
+	}
+	for (;; argument++) {
+		if (*argument < '0' || *argument > '4')
+			return "neither highest, all, nor a list of 0…4";
+		choice->lods[*argument++ - '0'] = true;
+		if (!*argument)
+			return NULL;
+		if (*argument != ',')
+			return "neither highest, all, nor a list of 0…4";
+	}
+}
+
+static enum tcs_status
+run(const struct command *command, const struct convert_options *options,
+	uint64_t max_bytes, struct report *report, struct tcs_fault *fault)
+{
+	struct output output = {0};
+	struct input input = {0};
+	enum tcs_status status;
+
+	status = input_open(&input, command->input, fault);
+	if (status)
+		return status;
+	input.max_bytes = max_bytes;
+	status = output_open(&output, command->output, fault);
+	if (!status)
+		status = citygml_convert(
+			&input, output.file, options, command, report, fault);
+	input_close(&input);
+	if (!status)
+		status = output_commit(&output, fault);
+	output_discard(&output);
+	return status;
+}
+
+int
+main(int argc, char **argv)
+{
+	struct convert_options options = {
+		.lods.highest = true,
+		.limits.max_depth = 512,
+	};
+	uint64_t max_bytes = 0;
+	const struct option_row rows[] = {
+		{.type = OPTION_PARSE,
+			.name = "lod",
+			.argument = "LIST",
+			.help = "levels of detail to read: highest (of each "
+				"feature, the default), all, or numbers as "
+				"in 0,2",
+			.target = &options.lods,
+			.parse = parse_lods},
+		{.type = OPTION_UNSIGNED,
+			.letter = 'z',
+			.name = "compress",
+			.argument = "LEVEL",
+			.help = "compress the stream's records, 1 fast to 9 "
+				"small (default: 0, not at all)",
+			.target = &options.level,
+			.low = 0,
+			.high = 9},
+		{.type = OPTION_UNSIGNED,
+			.name = "max-depth",
+			.argument = "N",
+			.help = "fail when elements nest deeper than N "
+				"(default: 512)",
+			.target = &options.limits.max_depth,
+			.low = 8,
+			.high = 1000000},
+		{.type = OPTION_BYTES,
+			.name = "max-bytes",
+			.argument = "N",
+			.help = "fail when the document, uncompressed, is "
+				"longer than N bytes (default: no limit)",
+			.target = &max_bytes},
+		{0},
+	};
+	const struct program program = {
+		.name = "citygml2tcs",
+		.synopsis = "[options] [in [out]]",
+		.summary = "read CityGML, write a component stream",
+		.options = rows,
+		.flags = PROGRAM_READS | PROGRAM_BINARY_OUT,
+	};
+	struct report report = {0};
+	struct tcs_fault fault;
+	struct command command;
+	int exit_status = EXIT_DONE;
+
+	program_begin(&program, argc, argv, &command);
+	if (run(&command, &options, max_bytes, &report, &fault))
+		exit_status = program_fail(&command, &fault);
+	if (!command.quiet)
+		report_print(&report, program.name, stderr);
+	if (command.stats && exit_status == EXIT_DONE &&
+		report_write(&report, program.name, command.stats, &fault))
+		exit_status = program_fail(&command, &fault);
+	report_release(&report);
+	program_end(&command);
+	return exit_status;
+}
