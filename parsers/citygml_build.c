@@ -28,14 +28,28 @@ builder_release(struct builder *builder)
 	array_release(&builder->attributes);
 }
 
+enum tcs_status
+text_carry(struct tcs_object *out, const struct tcs_object *from, tcs_text text,
+	tcs_text *to, struct tcs_fault *fault)
+{
+	const char *string;
+
+	*to = text;
+	if (out == from)
+		return TCS_OK;
+	string = object_text(from, text);
+	return text_append(out, string, strlen(string), to, fault);
+}
+
 /* What every step of one object needs. */
 struct build {
 	struct builder *builder;
 	const struct build_plan *plan;
 	struct raw_object *raw;
-	struct tcs_object *out; /* &raw->tree */
+	struct tcs_object *out; /* &raw->tree, or a prototype */
 	struct report *report; /* &raw->report */
 	uint32_t shell, solid; /* of the solid being written: raw numbers */
+	bool is_prototype;
 	uint64_t polygons, shared, holes, voids;
 };
 
@@ -170,12 +184,8 @@ rings_write(struct build *build, const struct raw_use *use, uint32_t vertex,
 			.vertex_count = builder->ring_sizes.at[i],
 		};
 		vertex += ring->vertex_count;
-		if (use->home != build->raw) {
-			const char *text = object_text(&use->home->tree, id);
-
-			status = text_append(
-				out, text, strlen(text), &ring->id, fault);
-		}
+		status =
+			text_carry(out, &use->home->tree, id, &ring->id, fault);
 	}
 	return status;
 }
@@ -227,7 +237,7 @@ polygon_write(struct build *build, const struct raw_use *use,
 	struct tcs_object *out = build->out;
 	struct tcs_polygon polygon = {
 		.id = from->id,
-		.surface = use->surface,
+		.surface = build->is_prototype ? 0 : use->surface,
 		.first_vertex = (uint32_t)out->vertices.count,
 		.vertex_count = (uint32_t)builder->points.count,
 		.first_ring = (uint32_t)out->rings.count,
@@ -235,7 +245,7 @@ polygon_write(struct build *build, const struct raw_use *use,
 		.first_triangle = (uint32_t)out->triangles.count,
 		.triangle_count = (uint32_t)triangulation->triangle_count,
 	};
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status;
 
 	if (use->reversed)
 		polygon.flags |= TCS_POLYGON_REVERSED;
@@ -243,11 +253,8 @@ polygon_write(struct build *build, const struct raw_use *use,
 		polygon.flags |= TCS_POLYGON_SHARED;
 	if (triangulation->outcome == TRIANGULATION_REPAIRED)
 		polygon.flags |= TCS_POLYGON_REPAIRED;
-	if (use->home != build->raw) {
-		const char *id = object_text(&use->home->tree, from->id);
-
-		status = text_append(out, id, strlen(id), &polygon.id, fault);
-	}
+	status =
+		text_carry(out, &use->home->tree, from->id, &polygon.id, fault);
 	if (!status)
 		status = rings_write(build, use, polygon.first_vertex, fault);
 	if (!status)
@@ -262,7 +269,7 @@ polygon_write(struct build *build, const struct raw_use *use,
 	out->polygons.at[out->polygons.count++] = polygon;
 	if (use->home != build->raw)
 		return TCS_OK;
-	return paints_write(build->builder, out, use->polygon,
+	return paints_write(build->builder, build->raw, out, use->polygon,
 		(uint32_t)out->polygons.count - 1, fault);
 }
 
@@ -298,8 +305,8 @@ polygon_note(struct build *build, const struct raw_use *use,
 		severity = REPORT_NOTE;
 		reason = "not planar to 1 cm";
 	}
-	return report_item(build->report, severity, "polygon", reason,
-		*id ? id : NULL, from->line, fault);
+	return raw_report(build->report, severity, "polygon", reason, id,
+		from->line, fault);
 }
 
 /* Write what a use keeps, unless the polygon is beyond use. */
@@ -333,9 +340,9 @@ use_write(
 	if (use->shared)
 		return TCS_OK;
 	id = object_text(&use->home->tree, from->id);
-	return report_item(build->report, REPORT_SKIPPED,
-		from->shape == RAW_AREA ? "polygon" : "line", problem,
-		*id ? id : NULL, from->line, fault);
+	return raw_report(build->report, REPORT_SKIPPED,
+		from->shape == RAW_AREA ? "polygon" : "line", problem, id,
+		from->line, fault);
 }
 
 /* ---- shells and geometries ------------------------------------------------------------ */
@@ -372,13 +379,15 @@ shell_enter(struct build *build, const struct raw_use *use, size_t first_shell,
 		build->solid++;
 	build->shell = use->shell;
 	out->shells.at[out->shells.count++] = (struct tcs_shell){
-		.id = from ? from->id : 0,
 		.first_polygon = (uint32_t)out->polygons.count,
 		.solid = build->solid,
 		.interior = from && from->interior,
 	};
 	build->voids += from && from->interior;
-	return TCS_OK;
+	if (!from)
+		return TCS_OK;
+	return text_carry(out, &raw->tree, from->id,
+		&out->shells.at[out->shells.count - 1].id, fault);
 }
 
 static uint8_t
@@ -442,9 +451,7 @@ geometry_write(struct build *build, uint32_t index, enum raw_shape shape,
 	const struct raw_geometry *from = &build->raw->geometries.at[index];
 	struct tcs_object *out = build->out;
 	struct tcs_geometry geometry = {
-		.feature = from->feature,
-		.id = from->id,
-		.role = from->role,
+		.feature = build->is_prototype ? 0 : from->feature,
 		.first_shell = (uint32_t)out->shells.count,
 		.first_polygon = (uint32_t)out->polygons.count,
 		.lod = build->builder->links.lods.at[index],
@@ -464,6 +471,13 @@ geometry_write(struct build *build, uint32_t index, enum raw_shape shape,
 		(uint32_t)out->shells.count - geometry.first_shell;
 	if (geometry.kind == TCS_SOLID && build->solid > 0)
 		geometry.kind = TCS_MULTI_SOLID;
+	status = text_carry(
+		out, &build->raw->tree, from->id, &geometry.id, fault);
+	if (!status)
+		status = text_carry(out, &build->raw->tree, from->role,
+			&geometry.role, fault);
+	if (status)
+		return status;
 	if (array_grow(&out->geometries, 1))
 		return fault_memory(fault);
 	out->geometries.at[out->geometries.count++] = geometry;
@@ -509,6 +523,8 @@ count_all(struct build *build, struct tcs_fault *fault)
 		{"holes", build->holes},
 		{"voids", build->voids},
 		{"triangles", out->triangles.count},
+		{"instances", out->instances.count},
+		{"implicit geometries", build->raw->instances.count},
 	};
 	enum tcs_status status = TCS_OK;
 
@@ -516,6 +532,77 @@ count_all(struct build *build, struct tcs_fault *fault)
 		status = report_add(
 			build->report, counts[i].name, counts[i].count, fault);
 	return status ? status : count_features(build, fault);
+}
+
+/* ---- instances ------------------------------------------------------------------ */
+
+static bool
+is_finite(const double *numbers, int count)
+{
+	for (int i = 0; i < count; i++)
+		if (!isfinite(numbers[i]))
+			return false;
+	return true;
+}
+
+static const char *
+instance_problem(const struct raw_instance *instance)
+{
+	if (!instance->has_anchor)
+		return "no reference point";
+	if (!is_finite(instance->anchor, 3) || !is_finite(instance->matrix, 16))
+		return "a coordinate is no finite number";
+	return NULL;
+}
+
+static enum tcs_status
+instance_write(struct build *build, const struct raw_instance *from,
+	struct tcs_fault *fault)
+{
+	struct tcs_object *out = build->out;
+	struct tcs_instance *to;
+
+	if (array_grow(&out->instances, 1))
+		return fault_memory(fault);
+	to = &out->instances.at[out->instances.count++];
+	*to = (struct tcs_instance){
+		.anchor = {from->anchor[from->swap], from->anchor[!from->swap],
+			from->anchor[2]},
+		.feature = from->feature,
+		.prototype = from->prototype,
+		.id = from->id,
+		.lod = from->lod,
+	};
+	memcpy(to->matrix, from->matrix, sizeof to->matrix);
+	return TCS_OK;
+}
+
+/* A template in a file of its own was reported when it was met. */
+static enum tcs_status
+instances_write(struct build *build, struct tcs_fault *fault)
+{
+	const struct raw_object *raw = build->raw;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < raw->instances.count; i++) {
+		const struct raw_instance *from = &raw->instances.at[i];
+		const char *problem = instance_problem(from);
+		const char *id = object_text(&raw->tree, from->id);
+
+		if (build->builder->links.unwanted.at[i])
+			continue;
+		if (from->prototype == TCS_NONE && from->href)
+			problem = "its template is not in the document";
+		else if (from->prototype == TCS_NONE)
+			continue;
+		if (problem)
+			status = raw_report(build->report, REPORT_SKIPPED,
+				"implicit geometry", problem, id, from->line,
+				fault);
+		else
+			status = instance_write(build, from, fault);
+	}
+	return status;
 }
 
 /* ---- all of it --------------------------------------------------------------------------- */
@@ -536,7 +623,8 @@ build_object(struct builder *builder, const struct build_plan *plan,
 	status = links_resolve(&builder->links, raw, plan->library, &plan->lods,
 		&raw->report, fault);
 	if (!status)
-		status = paints_collect(builder, plan, raw, fault);
+		status =
+			paints_collect(builder, plan, raw, &raw->report, fault);
 	for (uint32_t i = 0; !status && i < raw->geometries.count; i++) {
 		build.solid = 0;
 		status = geometry_write(&build, i, RAW_AREA, fault);
@@ -546,6 +634,57 @@ build_object(struct builder *builder, const struct build_plan *plan,
 			status = geometry_write(&build, i, RAW_POINT, fault);
 	}
 	if (!status)
+		status = instances_write(&build, fault);
+	if (!status)
 		status = attributes_sort(builder, &raw->tree, fault);
 	return status ? status : count_all(&build, fault);
+}
+
+static enum tcs_status
+prototype_begin(const struct raw_object *raw, uint32_t geometry,
+	struct tcs_object *out, struct tcs_fault *fault)
+{
+	object_clear(out);
+	if (array_grow(&out->features, 1))
+		return fault_memory(fault);
+	out->features.at[out->features.count++] = (struct tcs_feature){
+		.parent = TCS_NONE, .class = TCS_CLASS_Unknown};
+	return text_carry(out, &raw->tree, raw->geometries.at[geometry].id,
+		&out->features.at[0].id, fault);
+}
+
+enum tcs_status
+build_prototype(struct builder *builder, const struct build_plan *plan,
+	struct raw_object *raw, uint32_t geometry, struct tcs_object *out,
+	struct report *report, struct tcs_fault *fault)
+{
+	struct build build = {
+		.builder = builder,
+		.plan = plan,
+		.raw = raw,
+		.out = out,
+		.report = report,
+		.is_prototype = true,
+	};
+	enum tcs_status status;
+
+	status = prototype_begin(raw, geometry, out, fault);
+	if (!status)
+		status = links_resolve_template(&builder->links, raw,
+			plan->library, geometry, report, fault);
+	if (!status)
+		status = paints_collect(builder, plan, raw, NULL, fault);
+	if (!status)
+		status = geometry_write(&build, geometry, RAW_AREA, fault);
+	if (!status)
+		status = geometry_write(&build, geometry, RAW_LINE, fault);
+	if (!status)
+		status = geometry_write(&build, geometry, RAW_POINT, fault);
+	if (!status)
+		status = report_add(report, "prototypes", 1, fault);
+	if (!status)
+		status = report_add(
+			report, "prototype polygons", build.polygons, fault);
+	return status ? status
+		      : report_add(report, "holes", build.holes, fault);
 }

@@ -49,6 +49,11 @@ struct builder {
 	TCS_ARRAY(struct tcs_attribute) attributes;
 };
 
+/* A string of `from` in the text of `out`, which may be the same object. */
+enum tcs_status text_carry(struct tcs_object *out,
+	const struct tcs_object *from, tcs_text text, tcs_text *to,
+	struct tcs_fault *fault) TCS_CHECKED;
+
 enum tcs_status builder_init(
 	struct builder *builder, struct tcs_fault *fault) TCS_CHECKED;
 void builder_release(struct builder *builder);
@@ -60,6 +65,15 @@ void builder_release(struct builder *builder);
  */
 enum tcs_status build_object(struct builder *builder,
 	const struct build_plan *plan, struct raw_object *raw,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Build the prototype of a template: an object of one feature. What has no
+ * place in it, links that dangle, is in builder->links.missing too.
+ */
+enum tcs_status build_prototype(struct builder *builder,
+	const struct build_plan *plan, struct raw_object *raw,
+	uint32_t geometry, struct tcs_object *out, struct report *report,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /* ---- citygml_rings.c ---------------------------------------------------- */
@@ -77,14 +91,18 @@ enum tcs_status rings_read(struct builder *builder,
 
 /* ---- citygml_paint.c ---------------------------------------------------- */
 
-/* After links_resolve: all paints of the object, sorted by polygon. */
+/*
+ * After links_resolve: all paints of the object, sorted by polygon. Targets
+ * that are not there go to the report; NULL: were reported before.
+ */
 enum tcs_status paints_collect(struct builder *builder,
 	const struct build_plan *plan, struct raw_object *raw,
-	struct tcs_fault *fault) TCS_CHECKED;
+	struct report *report, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Append the paints of one raw polygon to `out`, for its polygon there. */
 enum tcs_status paints_write(const struct builder *builder,
-	struct tcs_object *out, uint32_t raw_polygon, uint32_t polygon,
+	const struct raw_object *raw, struct tcs_object *out,
+	uint32_t raw_polygon, uint32_t polygon,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 #endif

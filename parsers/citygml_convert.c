@@ -21,6 +21,10 @@ struct slot {
 	struct raw_object *raw;
 	struct tcs_record record;
 	struct tcs_record palette;
+	struct tcs_object prototype; /* being built */
+	TCS_ARRAY(struct tcs_record) prototypes; /* the room's are kept */
+	size_t prototype_count;
+	struct report templates; /* what became of them */
 	TCS_ARRAY(char *) missing; /* owned: ids that were not found */
 };
 
@@ -148,6 +152,13 @@ slot_forget(struct slot *slot)
 	array_clear(&slot->missing);
 }
 
+/* Whether it links to a template that may be still to come. */
+static bool
+slot_waits(const struct convert *convert, const struct slot *slot)
+{
+	return slot->raw->waits && convert->phase == PHASE_WRITE;
+}
+
 /* Missing ids: to look for elsewhere at first, to report in the end. */
 static enum tcs_status
 keep_missing(struct convert *convert, struct slot *slot,
@@ -176,6 +187,34 @@ keep_missing(struct convert *convert, struct slot *slot,
 	return TCS_OK;
 }
 
+/* One record for each template that comes first in this object. */
+static enum tcs_status
+work_on_templates(struct convert *convert, struct slot *slot,
+	struct builder *builder, struct tcs_fault *fault)
+{
+	struct raw_object *raw = slot->raw;
+	enum tcs_status status = TCS_OK;
+
+	slot->prototype_count = 0;
+	report_clear(&slot->templates);
+	for (size_t i = 0; !status && i < raw->templates.count; i++) {
+		if (i == slot->prototypes.count) {
+			if (array_grow(&slot->prototypes, 1))
+				return fault_memory(fault);
+			slot->prototypes.at[slot->prototypes.count++] =
+				(struct tcs_record){0};
+		}
+		status = build_prototype(builder, &convert->plan, raw,
+			raw->templates.at[i].geometry, &slot->prototype,
+			&slot->templates, fault);
+		if (!status)
+			status = object_encode(&slot->prototype, TCS_PROTOTYPE,
+				&slot->prototypes.at[i], fault);
+		slot->prototype_count++;
+	}
+	return status;
+}
+
 static enum tcs_status
 convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
 {
@@ -187,10 +226,13 @@ convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
 	slot_forget(slot);
 	if (convert->phase == PHASE_COLLECT)
 		return TCS_OK;
-	status = build_object(builder, &convert->plan, slot->raw, fault);
+	status = work_on_templates(convert, slot, builder, fault);
 	if (!status && slot->raw->palette.materials.count)
 		status = palette_encode(
 			&slot->raw->palette, &slot->palette, fault);
+	if (status || slot_waits(convert, slot))
+		return status;
+	status = build_object(builder, &convert->plan, slot->raw, fault);
 	if (!status && builder->links.missing.count)
 		status = keep_missing(convert, slot, &builder->links, fault);
 	if (status || slot->missing.count)
@@ -236,9 +278,14 @@ convert_write(void *context, void *item, struct tcs_fault *fault)
 		status = write_head(convert, fault);
 	if (!status && slot->raw->palette.materials.count)
 		status = writer_put(&convert->writer, &slot->palette, fault);
+	for (size_t i = 0; !status && i < slot->prototype_count; i++)
+		status = writer_put(
+			&convert->writer, &slot->prototypes.at[i], fault);
+	if (!status)
+		status = report_merge(convert->report, &slot->templates, fault);
 	if (status)
 		return status;
-	if (slot->missing.count)
+	if (slot->missing.count || slot_waits(convert, slot))
 		return defer(convert, slot, fault);
 	convert->written++;
 	status = report_merge(convert->report, &slot->raw->report, fault);
@@ -437,6 +484,11 @@ convert_end(struct convert *convert)
 		raw_free(convert->slots[i].raw);
 		record_release(&convert->slots[i].record);
 		record_release(&convert->slots[i].palette);
+		object_release(&convert->slots[i].prototype);
+		report_release(&convert->slots[i].templates);
+		for (size_t j = 0; j < convert->slots[i].prototypes.count; j++)
+			record_release(&convert->slots[i].prototypes.at[j]);
+		array_release(&convert->slots[i].prototypes);
 		slot_forget(&convert->slots[i]);
 		array_release(&convert->slots[i].missing);
 	}

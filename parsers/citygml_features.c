@@ -213,25 +213,6 @@ nested_begin(struct gml_reader *reader, struct name *name,
 	return attribute_add_members(reader, attributes, count, fault);
 }
 
-static enum tcs_status
-implicit_geometry_skip(struct gml_reader *reader, struct name *name,
-	const struct xml_attribute *attributes, size_t count,
-	struct tcs_fault *fault)
-{
-	const struct xml_attribute *id = attribute_find_id(attributes, count);
-	char text[128] = "";
-	enum tcs_status status;
-
-	if (id)
-		snprintf(text, sizeof text, "%.*s",
-			id->length < 100 ? (int)id->length : 100, id->value);
-	status = gml_skipped(reader, "implicit geometry",
-		"templates are not placed yet", *text ? text : NULL, fault);
-	if (status)
-		return status;
-	return gml_push(reader, name, ROLE_SKIP, NULL, fault);
-}
-
 enum tcs_status
 feature_child(struct gml_reader *reader, struct name *name,
 	const struct xml_attribute *attributes, size_t count,
@@ -257,8 +238,7 @@ feature_child(struct gml_reader *reader, struct name *name,
 	case NAME_GENERIC_ATTRIBUTE:
 		return generic_begin(reader, name, attributes, count, fault);
 	case NAME_IMPLICIT_GEOMETRY:
-		return implicit_geometry_skip(
-			reader, name, attributes, count, fault);
+		return implicit_begin(reader, name, attributes, count, fault);
 	case NAME_APPEARANCE:
 		return gml_push(reader, name, ROLE_APPEARANCE, NULL, fault);
 	default:

@@ -347,6 +347,7 @@ geometry_add(struct gml_reader *reader, const struct frame *property,
 		.line = xml_line(reader->xml),
 		.lod = property->name->lod,
 		.kind = kind,
+		.is_template = property->role == ROLE_IMPLICIT,
 	};
 	reader->geometry_srs = TCS_NONE;
 	reader->pos_ring = TCS_NONE;
@@ -395,13 +396,9 @@ geometry_set_order(
 	struct gml_reader *reader, const struct raw_geometry *geometry)
 {
 	struct raw_object *raw = reader->raw;
-	uint32_t system = reader->geometry_srs;
+	uint32_t system = gml_system(reader, reader->geometry_srs);
 
-	if (system == TCS_NONE)
-		system = reader->object_srs;
-	if (system == TCS_NONE)
-		system = reader->model_srs;
-	if (system == TCS_NONE)
+	if (system == TCS_NONE || geometry->is_template)
 		return;
 	if (reader->first_srs == TCS_NONE)
 		reader->first_srs = system;

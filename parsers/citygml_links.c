@@ -15,6 +15,7 @@ link_work_release(struct link_work *work)
 	array_release(&work->heads);
 	array_release(&work->emitted);
 	array_release(&work->missing);
+	array_release(&work->unwanted);
 	index_release(&work->targets);
 }
 
@@ -127,10 +128,25 @@ use_member(void *context, const struct raw_member *member, bool reversed,
 		to, to->raw, member->polygon, reversed, shell, linked, fault);
 }
 
+/* The uses of one geometry, appended. */
+static enum tcs_status
+uses_of_geometry(
+	struct member_walk *walk, uint32_t index, struct tcs_fault *fault)
+{
+	struct use_context *to = walk->context;
+	const struct raw_geometry *geometry = &walk->raw->geometries.at[index];
+
+	to->geometry = index;
+	return members_walk(walk, geometry->first_member,
+		geometry->first_member + geometry->member_count, false,
+		TCS_NONE, false, fault);
+}
+
+/* Of every geometry that is no template, or of the one template named. */
 static enum tcs_status
 uses_collect(struct link_work *work, const struct raw_object *raw,
-	const struct raw_library *library, struct report *report,
-	struct tcs_fault *fault)
+	const struct raw_library *library, uint32_t template,
+	struct report *report, struct tcs_fault *fault)
 {
 	struct use_context context = {work, raw, library, 0, report};
 	struct member_walk walk = {
@@ -142,14 +158,11 @@ uses_collect(struct link_work *work, const struct raw_object *raw,
 	};
 	enum tcs_status status = TCS_OK;
 
-	for (size_t i = 0; !status && i < raw->geometries.count; i++) {
-		const struct raw_geometry *geometry = &raw->geometries.at[i];
-
-		context.geometry = (uint32_t)i;
+	for (uint32_t i = 0; !status && i < raw->geometries.count; i++) {
 		work->first_use.at[i] = (uint32_t)work->uses.count;
-		status = members_walk(&walk, geometry->first_member,
-			geometry->first_member + geometry->member_count, false,
-			TCS_NONE, false, fault);
+		if (template == TCS_NONE ? !raw->geometries.at[i].is_template
+					 : i == template)
+			status = uses_of_geometry(&walk, i, fault);
 	}
 	work->first_use.at[raw->geometries.count] = (uint32_t)work->uses.count;
 	if (!status && walk.exceeded)
@@ -254,10 +267,9 @@ mark_unwanted(struct link_work *work, uint32_t geometry)
 	}
 }
 
-/* Per group, heads serves as the highest rank plus one. */
+/* Per group, the highest rank plus one goes into heads. */
 static void
-lods_choose(struct link_work *work, const struct raw_object *raw,
-	const struct lod_choice *choice)
+ranks_find(struct link_work *work, const struct raw_object *raw)
 {
 	for (size_t i = 0; i < raw->tree.features.count; i++)
 		work->heads.at[i] = 0;
@@ -268,16 +280,40 @@ lods_choose(struct link_work *work, const struct raw_object *raw,
 		if (rank > work->heads.at[group])
 			work->heads.at[group] = rank;
 	}
-	for (uint32_t i = 0; i < raw->geometries.count; i++) {
-		uint32_t group = work->groups.at[raw->geometries.at[i].feature];
-		uint32_t highest = (work->heads.at[group] - 1) & 7;
-		uint8_t lod = work->lods.at[i];
+	for (size_t i = 0; i < raw->instances.count; i++) {
+		const struct raw_instance *instance = &raw->instances.at[i];
+		uint32_t group = work->groups.at[instance->feature];
+		uint32_t rank = instance->lod + 8u + 1;
 
-		if (lod == TCS_LOD_NONE)
-			continue;
-		if (choice->highest ? lod != highest : !choice->lods[lod])
-			mark_unwanted(work, i);
+		if (instance->lod != TCS_LOD_NONE &&
+			rank > work->heads.at[group])
+			work->heads.at[group] = rank;
 	}
+}
+
+static bool
+lod_is_wanted(const struct link_work *work, const struct lod_choice *choice,
+	uint32_t feature, uint8_t lod)
+{
+	uint32_t highest = (work->heads.at[work->groups.at[feature]] - 1) & 7;
+
+	if (lod == TCS_LOD_NONE)
+		return true;
+	return choice->highest ? lod == highest : choice->lods[lod];
+}
+
+static void
+lods_choose(struct link_work *work, const struct raw_object *raw,
+	const struct lod_choice *choice)
+{
+	ranks_find(work, raw);
+	for (uint32_t i = 0; i < raw->geometries.count; i++)
+		if (!lod_is_wanted(work, choice, raw->geometries.at[i].feature,
+			    work->lods.at[i]))
+			mark_unwanted(work, i);
+	for (size_t i = 0; i < raw->instances.count; i++)
+		work->unwanted.at[i] = !lod_is_wanted(work, choice,
+			raw->instances.at[i].feature, raw->instances.at[i].lod);
 }
 
 /* ---- giving every polygon to one geometry ---------------------------------------- */
@@ -453,11 +489,13 @@ work_prepare(struct link_work *work, const struct raw_object *raw)
 	array_clear(&work->heads);
 	array_clear(&work->emitted);
 	array_clear(&work->missing);
+	array_clear(&work->unwanted);
 	work->left_out = 0;
 	if (array_grow(&work->first_use, raw->geometries.count + 1) ||
 		array_grow(&work->lods, raw->geometries.count) ||
 		array_grow(&work->groups, features) ||
 		array_grow(&work->heads, heads + 1) ||
+		array_grow(&work->unwanted, raw->instances.count) ||
 		array_grow(&work->emitted, raw->polygons.count + 1))
 		return -1;
 	memset(work->emitted.at, 0,
@@ -479,7 +517,8 @@ links_resolve(struct link_work *work, const struct raw_object *raw,
 	if (raw->has_links || raw->paints.count)
 		status = index_build(&work->targets, raw, fault);
 	if (!status)
-		status = uses_collect(work, raw, library, report, fault);
+		status = uses_collect(
+			work, raw, library, TCS_NONE, report, fault);
 	if (status)
 		return status;
 	groups_find(work, raw);
@@ -494,4 +533,26 @@ links_resolve(struct link_work *work, const struct raw_object *raw,
 		uses_claim(work, raw, levels[i], CLAIM_HOST);
 	}
 	return TCS_OK;
+}
+
+enum tcs_status
+links_resolve_template(struct link_work *work, const struct raw_object *raw,
+	const struct raw_library *library, uint32_t geometry,
+	struct report *report, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	if (work_prepare(work, raw))
+		return fault_memory(fault);
+	array_clear(&work->targets.slots);
+	if (raw->has_links || raw->paints.count)
+		status = index_build(&work->targets, raw, fault);
+	if (!status)
+		status = uses_collect(
+			work, raw, library, geometry, report, fault);
+	for (size_t i = 0; !status && i < work->uses.count; i++)
+		work->uses.at[i].state = USE_KEPT;
+	if (!status)
+		work->lods.at[geometry] = TCS_LOD_NONE;
+	return status;
 }

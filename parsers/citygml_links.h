@@ -55,6 +55,7 @@ struct link_work {
 	TCS_ARRAY(bool) emitted; /* per polygon: kept at some LOD */
 	struct id_index targets; /* of the object, by id */
 	TCS_ARRAY(tcs_text) missing; /* ids that no target has */
+	TCS_ARRAY(bool) unwanted; /* per instance: of another level */
 	uint64_t left_out; /* areas at levels of detail not wanted */
 };
 
@@ -69,6 +70,14 @@ void link_work_release(struct link_work *work);
 enum tcs_status links_resolve(struct link_work *work,
 	const struct raw_object *raw, const struct raw_library *library,
 	const struct lod_choice *choice, struct report *report,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * The same for one template: all it holds is kept, and nothing else is.
+ */
+enum tcs_status links_resolve_template(struct link_work *work,
+	const struct raw_object *raw, const struct raw_library *library,
+	uint32_t geometry, struct report *report,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /* Whether a link names something outside the document. */

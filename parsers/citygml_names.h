@@ -39,6 +39,10 @@ enum name_kind {
 	NAME_ENVELOPE,
 	NAME_ENVELOPE_CORNER, /* lowerCorner, upperCorner */
 	NAME_IMPLICIT_GEOMETRY,
+	NAME_IMPLICIT_MATRIX, /* transformationMatrix */
+	NAME_IMPLICIT_OBJECT, /* libraryObject */
+	NAME_IMPLICIT_TEMPLATE, /* relativeGMLGeometry, relativeGeometry */
+	NAME_IMPLICIT_ANCHOR, /* referencePoint */
 	NAME_GENERIC_ATTRIBUTE, /* `generic` says which type */
 	NAME_GENERIC_NAME, /* gen:name */
 	NAME_GENERIC_VALUE, /* gen:value */

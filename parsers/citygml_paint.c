@@ -26,7 +26,7 @@ paint_target(struct builder *builder, const struct raw_object *raw,
 
 static enum tcs_status
 paints_local(struct builder *builder, struct raw_object *raw,
-	struct tcs_fault *fault)
+	struct report *report, struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
 
@@ -42,10 +42,10 @@ paints_local(struct builder *builder, struct raw_object *raw,
 			status =
 				paint_target(builder, raw, target, paint->theme,
 					paint->material, paint->back, fault);
-		else
-			status = report_item(&raw->report, REPORT_SKIPPED,
-				"material", "its target is not in the feature",
-				id, TCS_NOWHERE, fault);
+		else if (report)
+			status = report_item(report, REPORT_SKIPPED, "material",
+				"its target is not in the feature", id,
+				TCS_NOWHERE, fault);
 	}
 	return status;
 }
@@ -118,12 +118,12 @@ compare_paints(const void *a, const void *b)
 
 enum tcs_status
 paints_collect(struct builder *builder, const struct build_plan *plan,
-	struct raw_object *raw, struct tcs_fault *fault)
+	struct raw_object *raw, struct report *report, struct tcs_fault *fault)
 {
 	enum tcs_status status;
 
 	array_clear(&builder->paints);
-	status = paints_local(builder, raw, fault);
+	status = paints_local(builder, raw, report, fault);
 	if (!status)
 		status = paints_global(builder, plan, raw, fault);
 	if (!status && builder->paints.count)
@@ -133,8 +133,9 @@ paints_collect(struct builder *builder, const struct build_plan *plan,
 }
 
 enum tcs_status
-paints_write(const struct builder *builder, struct tcs_object *out,
-	uint32_t raw_polygon, uint32_t polygon, struct tcs_fault *fault)
+paints_write(const struct builder *builder, const struct raw_object *raw,
+	struct tcs_object *out, uint32_t raw_polygon, uint32_t polygon,
+	struct tcs_fault *fault)
 {
 	size_t low = 0, high = builder->paints.count;
 
@@ -151,11 +152,17 @@ paints_write(const struct builder *builder, struct tcs_object *out,
 		low++) {
 		const struct build_paint *paint = &builder->paints.at[low];
 
+		tcs_text theme;
+		enum tcs_status status = text_carry(
+			out, &raw->tree, paint->theme, &theme, fault);
+
+		if (status)
+			return status;
 		if (array_grow(&out->paints, 1))
 			return fault_memory(fault);
 		out->paints.at[out->paints.count++] = (struct tcs_paint){
 			.polygon = polygon,
-			.theme = paint->theme,
+			.theme = theme,
 			.material = paint->material,
 			.image = TCS_NONE,
 			.first_texcoord = TCS_NONE,

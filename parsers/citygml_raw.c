@@ -1,5 +1,6 @@
 #include "citygml_raw.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 struct raw_object *
@@ -22,6 +23,8 @@ raw_free(struct raw_object *raw)
 	array_release(&raw->geometries);
 	array_release(&raw->targets);
 	array_release(&raw->paints);
+	array_release(&raw->templates);
+	array_release(&raw->instances);
 	report_release(&raw->report);
 	palette_release(&raw->palette);
 	free(raw);
@@ -39,9 +42,26 @@ raw_clear(struct raw_object *raw)
 	array_clear(&raw->geometries);
 	array_clear(&raw->targets);
 	array_clear(&raw->paints);
+	array_clear(&raw->templates);
+	array_clear(&raw->instances);
 	report_clear(&raw->report);
 	palette_clear(&raw->palette);
 	raw->number = 0;
-	raw->has_links = false;
+	raw->has_links = raw->waits = false;
 	raw->next = NULL;
+}
+
+enum tcs_status
+raw_report(struct report *report, enum report_severity severity,
+	const char *item, const char *reason, const char *id, uint32_t line,
+	struct tcs_fault *fault)
+{
+	char place[32];
+
+	if (!id || !*id) {
+		snprintf(place, sizeof place, "line %u", line);
+		id = place;
+	}
+	return report_item(
+		report, severity, item, reason, id, TCS_NOWHERE, fault);
 }

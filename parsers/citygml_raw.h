@@ -63,6 +63,7 @@ struct raw_geometry {
 	uint32_t line;
 	uint8_t lod;
 	uint8_t kind; /* enum tcs_geometry_kind, or RAW_KIND_UNKNOWN */
+	bool is_template; /* in coordinates of its own: a prototype */
 };
 
 #define RAW_KIND_UNKNOWN 255 /* the property only links */
@@ -73,6 +74,27 @@ struct raw_target {
 	uint32_t first_member, member_end;
 	bool reversed; /* by the orientation around it, which links to it
 	                  do not see */
+};
+
+/* A template whose prototype no object before this one has brought. */
+struct raw_template {
+	uint32_t geometry;
+	uint32_t prototype; /* its number in the stream */
+};
+
+/* A template placed: an ImplicitGeometry. */
+struct raw_instance {
+	double matrix[16]; /* as written */
+	double anchor[3]; /* as written */
+	tcs_text id;
+	tcs_text href; /* to a template that is not known yet; else absent */
+	uint32_t feature;
+	uint32_t prototype; /* TCS_NONE: not known */
+	uint32_t geometry; /* its own template, if it holds one, is this */
+	uint32_t line;
+	uint8_t lod;
+	bool swap; /* the anchor comes north first */
+	bool has_matrix, has_anchor;
 };
 
 /* A material that a theme puts on whatever has this id. */
@@ -93,15 +115,26 @@ struct raw_object {
 	TCS_ARRAY(struct raw_geometry) geometries;
 	TCS_ARRAY(struct raw_target) targets;
 	TCS_ARRAY(struct raw_paint) paints;
+	TCS_ARRAY(struct raw_template) templates;
+	TCS_ARRAY(struct raw_instance) instances;
 	struct report report; /* what the parser left out */
 	struct tcs_palette palette; /* new entries to write before it */
 	uint64_t number; /* counts top-level features of the file, from 0 */
 	bool has_links; /* a member links */
+	bool waits; /* an instance links to a template not known yet */
 	struct raw_object *next; /* of a list of ready or spare ones */
 };
 
 struct raw_object *raw_new(void); /* NULL without memory */
 void raw_free(struct raw_object *raw);
 void raw_clear(struct raw_object *raw);
+
+/*
+ * Note an item of the document: by its id, or by its line where `id` is NULL
+ * or empty.
+ */
+enum tcs_status raw_report(struct report *report, enum report_severity severity,
+	const char *item, const char *reason, const char *id, uint32_t line,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 #endif

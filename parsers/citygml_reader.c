@@ -121,7 +121,7 @@ gml_skipped(struct gml_reader *reader, const char *item, const char *reason,
 	struct report *report =
 		reader->raw ? &reader->raw->report : &reader->report;
 
-	return report_item(report, REPORT_SKIPPED, item, reason, id,
+	return raw_report(report, REPORT_SKIPPED, item, reason, id,
 		xml_line(reader->xml), fault);
 }
 
@@ -156,14 +156,13 @@ gml_srs(struct gml_reader *reader, const char *name, size_t length,
 	return TCS_OK;
 }
 
-/* The first numbers of a text; how many there were, at most 3. */
-static int
-numbers_of(const char *at, size_t length, double out[3])
+int
+gml_numbers(const char *at, size_t length, double *out, int want)
 {
 	const char *end = at + length;
 	int count = 0;
 
-	while (count < 3) {
+	while (count < want) {
 		while (at < end && (is_blank(*at) || *at == ','))
 			at++;
 		at = number_parse(at, end, &out[count]);
@@ -172,6 +171,15 @@ numbers_of(const char *at, size_t length, double out[3])
 		count++;
 	}
 	return count;
+}
+
+uint32_t
+gml_system(const struct gml_reader *reader, uint32_t given)
+{
+	if (given != TCS_NONE)
+		return given;
+	return reader->object_srs != TCS_NONE ? reader->object_srs
+					      : reader->model_srs;
 }
 
 bool
@@ -183,7 +191,7 @@ gml_north_first(struct gml_reader *reader, uint32_t system,
 
 	if (srs->decided)
 		return srs->north_first;
-	if (numbers_of(position, length, sample) < 2)
+	if (gml_numbers(position, length, sample, 3) < 2)
 		return false;
 	srs->north_first = srs_north_first(&srs->srs,
 		(struct tcs_point){sample[0], sample[1], sample[2]},
@@ -236,8 +244,8 @@ bounds_end(struct gml_reader *reader, const struct frame *frame)
 	upper = frame->name->kind == NAME_ENVELOPE_CORNER
 		? frame->name->local[0] == 'u'
 		: reader->has_corner[0];
-	if (numbers_of(reader->text.at, reader->text.count,
-		    reader->corner[upper]) == 3)
+	if (gml_numbers(reader->text.at, reader->text.count,
+		    reader->corner[upper], 3) == 3)
 		reader->has_corner[upper] = true;
 }
 
@@ -346,6 +354,8 @@ gml_start(void *context, struct name *name,
 		return bounds_child(reader, name, attributes, count, fault);
 	case ROLE_GEOMETRY:
 		return geometry_child(reader, name, attributes, count, fault);
+	case ROLE_IMPLICIT:
+		return implicit_child(reader, name, attributes, count, fault);
 	case ROLE_APPEARANCE:
 		return appearance_child(reader, name, attributes, count, fault);
 	case ROLE_GENERIC_PART:
@@ -389,6 +399,8 @@ gml_end_element(void *context, struct tcs_fault *fault)
 		return feature_end(reader, &frame, fault);
 	case ROLE_GEOMETRY:
 		return geometry_end(reader, &frame, fault);
+	case ROLE_IMPLICIT:
+		return implicit_end(reader, &frame, fault);
 	case ROLE_APPEARANCE:
 		return appearance_end(reader, &frame, fault);
 	case ROLE_BOUNDS:
@@ -445,6 +457,7 @@ gml_release(struct gml_reader *reader)
 		free(reader->systems.at[i].name);
 	array_release(&reader->systems);
 	report_release(&reader->report);
+	keys_release(&reader->templates);
 	appearance_release(reader);
 }
 

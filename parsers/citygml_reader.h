@@ -9,6 +9,7 @@
  *     citygml_features.c    features and their properties
  *     citygml_attributes.c  what becomes of the text of properties
  *     citygml_geometry.c    GML geometry
+ *     citygml_implicit.c    templates and where they are placed
  *     citygml_appearance.c  themes and materials
  *
  * Nothing recurses: depth costs one frame, up to `max_depth`.
@@ -20,6 +21,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "citygml_keys.h"
 #include "citygml_names.h"
 #include "citygml_raw.h"
 #include "citygml_xml.h"
@@ -35,8 +37,9 @@ enum frame_role {
 	ROLE_GENERIC, /* a generic attribute or set */
 	ROLE_GENERIC_PART, /* its name or value */
 	ROLE_BOUNDS, /* gml:boundedBy and below */
-	ROLE_GEOMETRY, /* see geometry_start */
-	ROLE_APPEARANCE, /* see appearance_start */
+	ROLE_GEOMETRY, /* see geometry_child */
+	ROLE_IMPLICIT, /* an ImplicitGeometry and below, see implicit_child */
+	ROLE_APPEARANCE, /* see appearance_child */
 	ROLE_SKIP, /* nothing below is read */
 };
 
@@ -111,6 +114,9 @@ struct gml_reader {
 	uint32_t solids; /* of the geometry being read */
 	uint32_t pos_ring; /* geometry: the ring that takes positions */
 
+	/* templates, numbered as they come; by id, or by place without one */
+	struct key_table templates;
+
 	/* appearance */
 	TCS_ARRAY(char) theme;
 	struct tcs_material material; /* being read */
@@ -182,6 +188,13 @@ enum tcs_status gml_srs(struct gml_reader *reader, const char *name,
 bool gml_north_first(struct gml_reader *reader, uint32_t system,
 	const char *position, size_t length);
 
+/* The first numbers of a text, at most `want`; how many there were. */
+int gml_numbers(const char *at, size_t length, double *out, int want);
+
+/* The system in force for a position of the object: the given one, else the
+ * object's, else the model's; TCS_NONE for none. */
+uint32_t gml_system(const struct gml_reader *reader, uint32_t given);
+
 enum tcs_status gml_skipped(struct gml_reader *reader, const char *item,
 	const char *reason, const char *id,
 	struct tcs_fault *fault) TCS_CHECKED;
@@ -238,6 +251,15 @@ bool geometry_is(const struct name *name);
 /* A geometry property that only links: <lod2MultiSurface xlink:href="…"/>. */
 enum tcs_status geometry_link(struct gml_reader *reader, struct frame *property,
 	const struct xml_attribute *href, struct tcs_fault *fault) TCS_CHECKED;
+
+enum tcs_status implicit_begin(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status implicit_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status implicit_end(struct gml_reader *reader, struct frame *frame,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 enum tcs_status appearance_child(struct gml_reader *reader, struct name *name,
 	const struct xml_attribute *attributes, size_t count,

@@ -145,7 +145,7 @@ ring_close(struct builder *builder, size_t first, const char *id, uint32_t line,
 		builder->points.count--;
 		return TCS_OK;
 	}
-	return report_item(report, REPORT_REPAIRED, "ring",
+	return raw_report(report, REPORT_REPAIRED, "ring",
 		"closed: its last point was not its first", id, line, fault);
 }
 
@@ -175,8 +175,8 @@ ring_read(struct builder *builder, const struct raw_object *home,
 		return TCS_OK;
 	status = points_append(builder, dimension, polygon->swap, fault);
 	if (!status && polygon->shape == RAW_AREA)
-		status = ring_close(builder, first, *id ? id : NULL,
-			polygon->line, report, fault);
+		status = ring_close(
+			builder, first, id, polygon->line, report, fault);
 	return status;
 }
 
@@ -223,9 +223,9 @@ rings_take(struct builder *builder, const struct raw_object *home,
 				return TCS_OK;
 			}
 			builder->points.count = first;
-			status = report_item(report, REPORT_REPAIRED, "hole",
-				"left out: fewer than three points",
-				*id ? id : NULL, polygon->line, fault);
+			status = raw_report(report, REPORT_REPAIRED, "hole",
+				"left out: fewer than three points", id,
+				polygon->line, fault);
 		} else {
 			status = ring_keep(builder, ring, first, fault);
 		}
