@@ -135,6 +135,8 @@ append_base64(struct json_place *place, const json_t *value, void *byte_array,
 	if (!json_is_string(value))
 		return json_fault(place, "bytes", "not a string");
 	length = json_string_length(value);
+	if (length % 4)
+		return json_fault(place, "bytes", "not base64");
 	if (array_grow_bytes(byte_array, 1, length / 4 * 3))
 		return fault_memory(place->fault);
 	memcpy(&bytes, byte_array, sizeof bytes);

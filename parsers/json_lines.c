@@ -39,7 +39,7 @@ take_line(struct line_reader *reader, struct line_bytes *out, bool *whole,
 	*whole = false;
 	for (;;) {
 		size_t left = reader->buffer.count - reader->at;
-		const char *from = reader->buffer.at + reader->at;
+		const char *from = left ? reader->buffer.at + reader->at : NULL;
 		const char *end = left ? memchr(from, '\n', left) : NULL;
 		size_t length = end ? (size_t)(end - from) : left;
 
