@@ -64,7 +64,7 @@ enum tcs_attribute_type {
 	TCS_URI,
 	TCS_MEASURE, /* a number with a unit */
 	TCS_CODE, /* a string with a code space */
-	TCS_SET, /* no value; other attributes name it as parent */
+	TCS_SET, /* no value; its members name it as parent */
 };
 
 enum {
@@ -73,14 +73,15 @@ enum {
 
 /*
  * One attribute. Attributes of one feature stand together, features in
- * order; a set stands before its members. `value` keeps the source's spelling;
+ * order; what has members, a set or a value with XML attributes of its own
+ * ("@name"), stands before them. `value` keeps the source's spelling;
  * `number` is its meaning for TCS_INTEGER, TCS_DOUBLE, TCS_MEASURE and
  * TCS_BOOLEAN (0 or 1), and NaN where the spelling has none.
  */
 struct tcs_attribute {
 	double number;
 	uint32_t feature;
-	uint32_t parent; /* attribute index of the set; TCS_NONE: the feature */
+	uint32_t parent; /* attribute that it is a member of; TCS_NONE: none */
 	tcs_text name; /* local name, or the generic attribute's name */
 	tcs_text space; /* namespace prefix for names outside CityGML ("uro") */
 	tcs_text value;
@@ -453,8 +454,8 @@ enum tcs_status palette_encode(const struct tcs_palette *palette,
 /*
  * The rules of an object, whether decoded or about to be encoded:
  * - feature 0 has no parent, every other names an earlier one;
- * - attributes stand in the order of their features; a set stands before its
- *   members and belongs to the same feature;
+ * - attributes stand in the order of their features; a member stands behind
+ *   what it is a member of and belongs to the same feature;
  * - runs follow each other without gap or overlap, in the order of their
  *   owners, and an empty run begins where the one before ended: a geometry's
  *   polygons and shells, a shell's polygons, a polygon's vertices, rings and

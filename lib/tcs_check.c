@@ -57,10 +57,9 @@ check_attributes(const struct tcs_object *object, struct tcs_fault *fault)
 				"attribute %zu has no known type", i);
 		if (parent == TCS_NONE)
 			continue;
-		if (parent >= i || attributes[parent].type != TCS_SET ||
-			attributes[parent].feature != feature)
+		if (parent >= i || attributes[parent].feature != feature)
 			return BROKEN(object, fault,
-				"attribute %zu does not stand behind its set",
+				"attribute %zu does not stand behind its parent",
 				i);
 	}
 	return TCS_OK;

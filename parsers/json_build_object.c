@@ -34,9 +34,9 @@ static enum tcs_status
 build_attribute(struct json_place *place, const json_t *value,
 	struct tcs_object *object, size_t first)
 {
-	static const char *const nested[] = {"set", NULL};
+	static const char *const nested[] = {"member_of", NULL};
 	struct tcs_attribute attribute;
-	const json_t *set;
+	const json_t *owner;
 	uint64_t index;
 	enum tcs_status status = json_get_fields(place, value,
 		&fields_attribute, nested, &attribute, &object->text);
@@ -45,10 +45,10 @@ build_attribute(struct json_place *place, const json_t *value,
 		return status;
 	attribute.feature = (uint32_t)(object->features.count - 1);
 	attribute.parent = TCS_NONE;
-	set = json_object_get(value, "set");
-	if (set) {
-		status = json_get_index(
-			place, "set", set, UINT32_MAX - 1 - first, &index);
+	owner = json_object_get(value, "member_of");
+	if (owner) {
+		status = json_get_index(place, "member_of", owner,
+			UINT32_MAX - 1 - first, &index);
 		if (status)
 			return status;
 		attribute.parent = (uint32_t)(first + index);

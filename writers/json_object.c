@@ -22,7 +22,7 @@ print_attributes(struct json_text *json, const struct tcs_object *object,
 		print_fields(json, &fields_attribute, &attributes[i],
 			object->text.at);
 		if (attributes[i].parent != TCS_NONE) {
-			print_key(json, "set");
+			print_key(json, "member_of");
 			print_unsigned(json, attributes[i].parent - first);
 		}
 		print_raw(json, "}");

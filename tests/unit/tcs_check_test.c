@@ -15,7 +15,6 @@
 	X(attribute_order, o->attributes.at[0].feature = 1) \
 	X(attribute_type, o->attributes.at[0].type = TCS_SET + 1) \
 	X(set_behind, o->attributes.at[2].parent = 2) \
-	X(set_that_is_none, o->attributes.at[2].parent = 0) \
 	X(set_of_another, o->attributes.at[3].parent = 1) \
 	X(relation_feature, o->relations.at[0].feature = 3) \
 	X(geometry_feature, o->geometries.at[0].feature = 3) \
