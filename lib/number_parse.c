@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "number_powers.h"
 
 #if FLT_EVAL_METHOD != 0
 #error "double arithmetic must round to double"
@@ -26,12 +27,6 @@ struct decimal {
 };
 
 enum { EXACT_DIGITS = 19 }; /* that fit in 64 bits */
-
-static const uint64_t ten_to[] = {1, 10, 100, 1000, 10000, 100000, 1000000,
-	10000000, 100000000, 1000000000, 10000000000, 100000000000,
-	1000000000000, 10000000000000, 100000000000000, 1000000000000000,
-	10000000000000000, 100000000000000000, 1000000000000000000,
-	10000000000000000000u};
 
 /* The powers of ten that are doubles. */
 static const double ten_to_exact[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7,
@@ -119,68 +114,63 @@ decimal_read(const char *at, const char *end, struct decimal *decimal)
 	return exponent_read(at, end, &decimal->exponent);
 }
 
-/* value · 2^shift, where no result is subnormal or infinite. */
+/* mantissa · 2^exponent with 53 bits and no subnormal, as a double. */
 static double
-scaled(uint64_t value, int shift)
+assembled(uint64_t mantissa, int exponent)
 {
-	uint64_t bits = (uint64_t)(shift + 1023) << 52;
-	double power;
+	uint64_t bits = mantissa + ((uint64_t)(exponent + 1074) << 52);
+	double value;
 
-	memcpy(&power, &bits, sizeof power);
-	return (double)value * power;
+	memcpy(&value, &bits, sizeof value);
+	return value;
 }
+
+enum { LOST_BITS = 128 - 53 };
 
 /*
- * The 64 leading bits of a product or quotient keep ten below the double's
- * own; a bit for the lost ones in the lowest place then rounds as they would.
- */
-static double
-product(uint64_t digits, uint64_t power)
-{
-	wide value = (wide)digits * power;
-	int shift;
-
-	if (!(value >> 64))
-		return (double)(uint64_t)value;
-	shift = 64 - __builtin_clzll((uint64_t)(value >> 64));
-	digits = (uint64_t)(value >> shift);
-	if ((wide)digits << shift != value)
-		digits |= 1;
-	return scaled(digits, shift);
-}
-
-static double
-quotient(uint64_t digits, uint64_t power)
-{
-	int up = __builtin_clzll(digits);
-	int power_up = __builtin_clzll(power);
-	wide value = (wide)(digits << up) << 63;
-	uint64_t result;
-
-	power <<= power_up;
-	result = (uint64_t)(value / power);
-	if ((wide)result * power != value)
-		result |= 1;
-	return scaled(result, power_up - up - 63);
-}
-
-/*
- * digits · 10^exponent, rounded once. False where this needs more than 64-bit
- * powers. The first case is Clinger's (How to read floating point numbers
- * accurately, 1990): exact operands of one rounded operation.
+ * digits · 10^exponent from the leading bits of the power: the true product
+ * lies less than two units above that of the bits. False where this does not
+ * tell to which double it is nearer, or beyond normal doubles.
  */
 static bool
-decimal_exact(uint64_t digits, int64_t exponent, double *out)
+decimal_near(uint64_t digits, int64_t exponent, double *out)
 {
-	if (digits <= (uint64_t)1 << 53 && exponent >= -22 && exponent <= 22) {
-		*out = exponent < 0 ? (double)digits / ten_to_exact[-exponent]
-				    : (double)digits * ten_to_exact[exponent];
-		return true;
-	}
-	if (exponent < -EXACT_DIGITS || exponent > EXACT_DIGITS)
+	const wide half = (wide)1 << (LOST_BITS - 1);
+	struct number_power power;
+	wide all, lost;
+	int up, binary;
+
+	if (exponent < NUMBER_POWER_FIRST || exponent > 288)
 		return false;
-	*out = exponent < 0 ? quotient(digits, ten_to[-exponent])
-			    : product(digits, ten_to[exponent]);
+	power = number_powers[exponent - NUMBER_POWER_FIRST];
+	up = __builtin_clzll(digits);
+	digits <<= up;
+	if (exponent < 0 || exponent > NUMBER_POWER_EXACT)
+		power.high -= !power.low--;
+	all = (wide)power.high * digits + ((wide)power.low * digits >> 64);
+	binary = number_power_exponent((int)exponent) - up + LOST_BITS - 63;
+	if (!(all >> 127)) {
+		all <<= 1;
+		binary--;
+	}
+	lost = all & (half * 2 - 1);
+	if (binary < -1074 + 1 || (lost <= half && lost + 4 >= half))
+		return false;
+	*out = assembled((uint64_t)(all >> LOST_BITS) + (lost > half), binary);
+	return true;
+}
+
+/*
+ * The first case is Clinger's (How to read floating point numbers accurately,
+ * 1990): exact operands of one rounded operation.
+ */
+static bool
+decimal_fast(uint64_t digits, int64_t exponent, double *out)
+{
+	if (digits > (uint64_t)1 << 53 || exponent < -22 || exponent > 22)
+		return decimal_near(digits, exponent, out);
+	*out = exponent < 0 ? (double)digits / ten_to_exact[-exponent]
+			    : (double)digits * ten_to_exact[exponent];
 	return true;
 }
 
@@ -244,8 +234,8 @@ decimal_cut(const struct decimal *decimal, double *out)
 	}
 	exponent = decimal->exponent +
 		(int64_t)(decimal->significant - EXACT_DIGITS);
-	return decimal_exact(digits, exponent, out) &&
-		decimal_exact(digits + 1, exponent, &above) && *out == above;
+	return decimal_fast(digits, exponent, out) &&
+		decimal_fast(digits + 1, exponent, &above) && *out == above;
 }
 
 static double
@@ -258,7 +248,7 @@ decimal_value(const struct decimal *decimal)
 						    : decimal_any(decimal);
 	if (!decimal->digits)
 		return 0;
-	if (decimal_exact(decimal->digits, decimal->exponent, &value))
+	if (decimal_fast(decimal->digits, decimal->exponent, &value))
 		return value;
 	return decimal_any(decimal);
 }

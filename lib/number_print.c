@@ -1,9 +1,8 @@
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "number.h"
+#include "number_powers.h"
 
 __extension__ typedef unsigned __int128 wide;
 
@@ -22,188 +21,101 @@ static const uint64_t ten_to[] = {1, 10, 100, 1000, 10000, 100000, 1000000,
 /* ---- the decimal ------------------------------------------------------- */
 
 /*
- * A value of few decimals and less than 2^50 units of the last one. When i is
- * the nearest integer to value · 10^k, in doubles, and i / 10^k, also in
- * doubles, gives the value back, then the decimal i · 10^-k reads back to it,
- * for that division is how it is read. The least such k is the shortest: had
- * fewer decimals sufficed, d · 10^-j say, then value · 10^j in doubles would be
- * within d · 2^-52 ≤ 1/4 of d and d would have been found. And i is the only
- * such decimal, since its neighbours lie more than 2^-50 of the value away and
- * doubles that read alike at most 2^-52.
+ * A value of at most four decimals, below 1e11. With u the nearest integer to
+ * value · 10^4, in doubles, u / 10^4 is how the decimal u · 10^-4 is read, for
+ * both are doubles and the division is rounded once. If it gives the value,
+ * that decimal, without the zeros at its end, is the shortest: a shorter one
+ * has at most four decimals too, and the multiples of 10^-4 are more than
+ * 2^-50 of the value apart, doubles that read alike at most 2^-52. And if any
+ * such decimal reads as the value, value · 10^4 is within u · 2^-52 ≤ 1/4 of
+ * it, so it is found.
  */
-enum { FEW_DECIMALS = 4 };
-
 static bool
 decimal_few(double value, struct decimal *out)
 {
-	static const double power[] = {1, 1e1, 1e2, 1e3, 1e4};
+	uint64_t units;
 
 	if (value >= 1e11)
 		return false;
-	for (int k = 0; k <= FEW_DECIMALS; k++) {
-		int64_t units = (int64_t)(value * power[k] + 0.5);
-
-		if ((double)units / power[k] != value)
-			continue;
-		out->digits = (uint64_t)units;
-		out->exponent = -k;
-		return true;
-	}
-	return false;
+	units = (uint64_t)(int64_t)(value * 1e4 + 0.5);
+	*out = (struct decimal){units, -4};
+	return (double)(int64_t)units / 1e4 == value;
 }
 
 /*
- * The decimals that read back to a value lie between the halfway points to its
- * neighbours. Here all three are integers over 2^shift, in units of
- * 10^exponent, and nothing is rounded.
+ * The integer part of power · value / 2^128, with the lowest bit set where a
+ * fraction is left. The power being rounded up, what is no more than one unit
+ * of the last place is none.
  */
-struct interval {
-	wide value, lower, upper;
-	int shift;
-	int exponent;
-	bool closed; /* the ends read back too: ties go to even */
-};
-
-enum { MOST_SCALE = 21 }; /* 4 · 2^53 · 10^21 < 2^125 */
-
-/* For 1e-5 ≤ value < 1e17: units that leave 17 or 18 digits. */
-static void
-interval_set(struct interval *interval, uint64_t mantissa, int exponent)
-{
-	int log10 = ((exponent + 52) * 1233) >> 12;
-	int scale = 16 - log10 < MOST_SCALE ? 16 - log10 : MOST_SCALE;
-	wide power = ten_to[scale < 19 ? scale : 19];
-	bool lopsided = mantissa == (uint64_t)1 << 52;
-
-	for (int i = 19; i < scale; i++)
-		power *= 10;
-	interval->closed = !(mantissa & 1);
-	interval->exponent = -scale;
-	interval->shift = exponent > 0 ? 2 : 2 - exponent;
-	if (exponent > 0)
-		power <<= exponent;
-	interval->value = mantissa * power * 4;
-	interval->upper = interval->value + power * 2;
-	interval->lower = interval->value - power * (lopsided ? 1 : 2);
-}
-
 static uint64_t
-interval_first(const struct interval *interval)
+scaled(struct number_power power, uint64_t value)
 {
-	uint64_t whole = (uint64_t)(interval->lower >> interval->shift);
-	bool exact = (wide)whole << interval->shift == interval->lower;
+	wide low = (wide)power.low * value;
+	wide all = (wide)power.high * value + (low >> 64);
 
-	return whole + !(exact && interval->closed);
+	return (uint64_t)(all >> 64) | ((uint64_t)all > 1);
 }
 
-static uint64_t
-interval_last(const struct interval *interval)
-{
-	uint64_t whole = (uint64_t)(interval->upper >> interval->shift);
-	bool exact = (wide)whole << interval->shift == interval->upper;
-
-	return whole - (exact && !interval->closed);
-}
-
-/* The multiple of `unit` from first to last that is nearest to the value. */
-static uint64_t
-interval_nearest(const struct interval *interval, uint64_t unit, uint64_t first,
-	uint64_t last)
-{
-	uint64_t whole = (uint64_t)(interval->value >> interval->shift);
-	uint64_t below = whole / unit * unit;
-	wide rest = interval->value - ((wide)below << interval->shift);
-	wide half = (wide)unit << (interval->shift - 1);
-	bool up = rest > half || (rest == half && below / unit % 2);
-
-	if (below < first || (up && below + unit <= last))
-		return below / unit + 1;
-	return below / unit;
-}
-
+/*
+ * The shortest decimal of mantissa · 2^exponent, and the nearest of them.
+ *
+ * 10^k is the largest power of ten that fits between the halfway points to the
+ * neighbours, so that one or more of its multiples lie there, and at most one
+ * multiple of 10^(k + 1), which is shorter. Quarters of 10^k tell value and
+ * halfway points apart.
+ *
+ * source: R. Giulietti, The Schubfach way to render doubles, 2020.
+ */
 static void
 decimal_shortest(uint64_t mantissa, int exponent, struct decimal *out)
 {
-	struct interval interval;
-	uint64_t first, last, a, b, unit = 1;
-	int zeros = 0;
+	bool lopsided = mantissa == (uint64_t)1 << 52 && exponent > -1074;
+	uint64_t odd =
+		mantissa & 1; /* then the halfway points read elsewhere */
+	int k = (exponent * 1262611 - (lopsided ? 524031 : 0)) >> 22;
+	int shift = exponent + number_power_exponent(-k) + 1;
+	struct number_power power = number_powers[-k - NUMBER_POWER_FIRST];
+	uint64_t first = (mantissa * 4 - 2 + lopsided) << shift;
+	uint64_t value = scaled(power, mantissa * 4 << shift);
+	uint64_t last = scaled(power, (mantissa * 4 + 2) << shift) - odd;
+	uint64_t below = value / 4, tens = value / 40;
+	bool fits, next_fits;
 
-	interval_set(&interval, mantissa, exponent);
-	first = a = interval_first(&interval);
-	last = b = interval_last(&interval);
-	for (;;) {
-		a = (a + 9) / 10;
-		b /= 10;
-		if (a > b)
-			break;
-		unit *= 10;
-		zeros++;
+	first = scaled(power, first) + odd;
+	fits = first <= tens * 40;
+	next_fits = tens * 40 + 40 <= last;
+	if (value >= 40 && fits != next_fits) {
+		*out = (struct decimal){tens + next_fits, k + 1};
+		return;
 	}
-	out->digits = interval_nearest(&interval, unit, first, last);
-	out->exponent = interval.exponent + zeros;
+	fits = first <= below * 4;
+	next_fits = below * 4 + 4 <= last;
+	if (fits == next_fits)
+		next_fits = value % 4 > 2 || (value % 4 == 2 && below % 2);
+	*out = (struct decimal){below + next_fits, k};
 }
 
-/* ---- decimals of any exponent, through the C library -------------------- */
-
-static bool
-decimal_reads(const struct decimal *decimal, double value)
-{
-	char text[NUMBER_LENGTH];
-	int length = snprintf(text, sizeof text, "%llue%d",
-		(unsigned long long)decimal->digits, decimal->exponent);
-	double back;
-
-	return number_parse(text, text + length, &back) && back == value;
-}
-
-/* The nearest decimal of `count` digits. */
-static void
-decimal_rounded(double value, int count, struct decimal *out)
-{
-	char text[NUMBER_LENGTH];
-	const char *at = text;
-
-	snprintf(text, sizeof text, "%.*e", count - 1, value);
-	out->digits = 0;
-	for (; *at != 'e'; at++) {
-		if (*at >= '0' && *at <= '9')
-			out->digits = out->digits * 10 + (uint64_t)(*at - '0');
-	}
-	out->exponent = (int)strtol(at + 1, NULL, 10) - (count - 1);
-}
-
-/*
- * The nearest decimal of so many digits may miss a power of two, whose lower
- * neighbour is nearer than its upper one, where the next decimal up does not.
- */
-static void
-decimal_search(double value, struct decimal *out)
-{
-	for (int count = 1; count < 17; count++) {
-		decimal_rounded(value, count, out);
-		if (decimal_reads(out, value))
-			return;
-		out->digits++;
-		if (decimal_reads(out, value))
-			return;
-	}
-	decimal_rounded(value, 17, out);
-}
+enum { MANTISSA_BITS = 52, EXPONENT_BIAS = 1075 };
 
 static void
 decimal_find(double value, struct decimal *out)
 {
-	uint64_t bits;
+	uint64_t bits, mantissa;
+	int exponent;
 
-	if (value < 1e-5 || value >= 1e17) {
-		decimal_search(value, out);
-		return;
-	}
-	if (decimal_few(value, out))
-		return;
 	memcpy(&bits, &value, sizeof bits);
-	decimal_shortest((bits & (((uint64_t)1 << 52) - 1)) | (uint64_t)1 << 52,
-		(int)(bits >> 52) - 1075, out);
+	mantissa = bits & (((uint64_t)1 << MANTISSA_BITS) - 1);
+	exponent = (int)(bits >> MANTISSA_BITS);
+	if (exponent)
+		mantissa |= (uint64_t)1 << MANTISSA_BITS;
+	else
+		exponent = 1;
+	if (value < 1e-4 || !decimal_few(value, out))
+		decimal_shortest(mantissa, exponent - EXPONENT_BIAS, out);
+	while (out->digits % 10 == 0) {
+		out->digits /= 10;
+		out->exponent++;
+	}
 }
 
 /* ---- its text ------------------------------------------------------------ */
@@ -221,10 +133,23 @@ digits_count(uint64_t digits)
 static void
 digits_write(char *out, uint64_t digits, int count)
 {
-	while (count--) {
-		out[count] = (char)('0' + digits % 10);
-		digits /= 10;
+	static const char pairs[] = "00010203040506070809"
+				    "10111213141516171819"
+				    "20212223242526272829"
+				    "30313233343536373839"
+				    "40414243444546474849"
+				    "50515253545556575859"
+				    "60616263646566676869"
+				    "70717273747576777879"
+				    "80818283848586878889"
+				    "90919293949596979899";
+
+	for (; count >= 2; digits /= 100) {
+		count -= 2;
+		memcpy(out + count, pairs + 2 * (digits % 100), 2);
 	}
+	if (count)
+		*out = (char)('0' + digits);
 }
 
 static char *
@@ -256,7 +181,12 @@ write_exponent(char *out, const char *digits, int count, int point)
 		memcpy(out, digits + 1, (size_t)(count - 1));
 		out += count - 1;
 	}
-	return out + snprintf(out, 8, "e%+d", point - 1);
+	*out++ = 'e';
+	*out++ = point > 0 ? '+' : '-';
+	point = point > 0 ? point - 1 : 1 - point;
+	count = digits_count((uint64_t)point);
+	digits_write(out, (uint64_t)point, count);
+	return out + count;
 }
 
 static size_t
@@ -287,10 +217,6 @@ number_print(char out[NUMBER_LENGTH], double value)
 		return (size_t)(at - out);
 	}
 	decimal_find(value, &decimal);
-	while (decimal.digits % 10 == 0) {
-		decimal.digits /= 10;
-		decimal.exponent++;
-	}
 	count = digits_count(decimal.digits);
 	digits_write(digits, decimal.digits, count);
 	point = count + decimal.exponent;
