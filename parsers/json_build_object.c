@@ -4,13 +4,11 @@
 
 static const char *const none[] = {NULL};
 
-/*
- * What the loops over arrays share: enter each item, build it, leave. Most
- * bodies end in such a call, so that each kind of element is one function.
- */
+/* Appends one element of a kind to the object. */
 typedef enum tcs_status build_one(struct json_place *place, const json_t *value,
 	struct tcs_object *object);
 
+/* Build each item of the array under `key`, if there is one. */
 static enum tcs_status
 build_all(struct json_place *place, const json_t *holder, const char *key,
 	struct tcs_object *object, build_one *build)
