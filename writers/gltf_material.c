@@ -35,18 +35,28 @@ class_look(unsigned class)
 	return look;
 }
 
+static double
+roughness(const struct tcs_material *material)
+{
+	double width = 2 / (2 + 128 * clamp_unit((double)material->shininess));
+	double shine = 0;
+
+	for (int k = 0; k < 3; k++)
+		shine = fmax(shine, clamp_unit((double)material->specular[k]));
+	return 1 - shine * (1 - pow(width, 0.25));
+}
+
 static struct material_look
 stream_look(const struct tcs_material *material)
 {
-	struct material_look look = {.roughness = 1};
+	struct material_look look = {.double_sided = false};
 
 	for (int k = 0; k < 3; k++) {
 		look.colour[k] = colour_linear((double)material->diffuse[k]);
 		look.emissive[k] = colour_linear((double)material->emissive[k]);
 	}
 	look.colour[3] = 1 - clamp_unit((double)material->transparency);
-	look.roughness =
-		sqrt(2 / (2 + 128 * clamp_unit((double)material->shininess)));
+	look.roughness = roughness(material);
 	return look;
 }
 

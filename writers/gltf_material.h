@@ -2,8 +2,10 @@
  * The materials of a glTF: one per distinct look, numbered as they come up.
  *
  * source: glTF 2.0, 3.9 (materials); IEC 61966-2-1 (sRGB); X3DMaterial of
- * CityGML 2.0, 9.2. A Blinn-Phong shininess s becomes the roughness
- * sqrt(2 / (2 + 128 s)) (Walter et al. 2007, eq. 35, alpha squared).
+ * CityGML 2.0, 9.2. A shininess s is the Blinn-Phong exponent 128 s, and that
+ * the width 2 / (2 + 128 s) = roughness^4 of the microfacets (Walter et al.
+ * 2007, 5.2). glTF has no specular colour without an extension, so the darker
+ * it is, the rougher the material is made instead: no shine, no gloss.
  */
 #ifndef TESSERA_GLTF_MATERIAL_H
 #define TESSERA_GLTF_MATERIAL_H

@@ -59,12 +59,17 @@ equal_materials_of_the_stream_become_one(void)
 	for (int i = 0; i < 3; i++)
 		SAMPLE_PUSH(palette.materials,
 			(struct tcs_material){.diffuse = {1, 0, 0},
+				.shininess = 1,
+				.specular = {0, i == 2 ? 0.5f : 0, 0},
 				.transparency = i == 2 ? 0.25f : 0});
 	for (uint32_t i = 0; i < 3; i++)
 		CHECK(!materials_find(&materials, i | PAINT_MATERIAL, &palette,
 			numbers + i, &fault));
 	CHECK(numbers[0] == 0 && numbers[1] == 0 && numbers[2] == 1);
 	CHECK(near(materials.looks.at[1].colour[3], 0.75));
+	CHECK(near(materials.looks.at[0].roughness, 1));
+	CHECK(near(materials.looks.at[1].roughness,
+		1 - 0.5 * (1 - pow(2. / 130, 0.25))));
 	materials_release(&materials);
 	palette_release(&palette);
 }
