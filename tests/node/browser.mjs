@@ -17,10 +17,10 @@ const [gmlFile, gltfFile, picture] = process.argv.slice(2);
 const here = path.dirname(fileURLToPath(import.meta.url));
 const width = 1600;
 const height = 900;
-const view = {azimuth: Number(process.env.AZIMUTH ?? 28),
-  elevation: Number(process.env.ELEVATION ?? 27),
-  fill: Number(process.env.FILL ?? 0.62),
-  aim: (process.env.AIM ?? '0,0').split(',').map(Number)};
+const view = {azimuth: Number(process.env.AZIMUTH ?? 22),
+  elevation: Number(process.env.ELEVATION ?? 25),
+  fill: Number(process.env.FILL ?? 0.92),
+  aim: (process.env.AIM ?? '-0.03,0.01').split(',').map(Number)};
 const types = {'.html': 'text/html', '.js': 'text/javascript',
   '.mjs': 'text/javascript', '.glb': 'model/gltf-binary'};
 
@@ -99,7 +99,7 @@ const flatness = page => page.evaluate(() => {
 });
 
 async function show(browser, address) {
-  const page = await browser.newPage({viewport: {width, height}});
+  const page = await browser.newPage();
   const problems = [];
   page.on('pageerror', problem => problems.push(String(problem)));
   page.on('console', message => message.type() === 'error' &&
@@ -128,6 +128,7 @@ const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'browser-'));
 const browser = await chromium.launchPersistentContext(profile, {
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
   headless: true,
+  viewport: {width, height},
   args: ['--no-sandbox', '--disable-quic', '--no-first-run',
     '--disable-background-networking', '--disable-component-update',
     '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader',

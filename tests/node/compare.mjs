@@ -110,11 +110,11 @@ function attributeValues(feature) {
   for (const attribute of feature.attributes ?? []) {
     const own = (attribute.space ? `${attribute.space}:` : '') +
       (attribute.name ?? '');
-    const path = attribute.set === undefined
-      ? own : `${paths[attribute.set]}.${own}`;
+    const path = attribute.member_of === undefined
+      ? own : `${paths[attribute.member_of]}.${own}`;
     paths.push(path);
     if (attribute.type !== 'set' && attribute.value) {
-      out.push([path, attribute.value, attribute.number]);
+      out.push([path, attribute.value, attribute.number ?? 0]);
     }
   }
   return out;

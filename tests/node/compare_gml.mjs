@@ -5,7 +5,8 @@
 // each feature with triangles: the id is one of the GML's and so are class and
 // parent; all corners of a triangle are vertices of one of the feature's
 // polygons; and the triangles' area is that of the polygons at one level of
-// detail. Placed prototypes are checked for id, class and parent only.
+// detail. Each surface that has polygons at its host's highest level is drawn.
+// Placed prototypes are checked for id, class and parent only.
 import {polygonArea, readGml} from './gml.mjs';
 import {readModel} from './glb.mjs';
 import {readTables, tableRows, triangles} from './metadata.mjs';
@@ -46,15 +47,42 @@ function checkTriangle(feature, corners, where) {
   }
 }
 
+// What a surface links to is its own; what a host links to is its surfaces'.
 function checkArea(feature, drawn, where) {
   const levels = new Map();
   for (const polygon of feature.polygons) {
-    levels.set(polygon.lod,
-      (levels.get(polygon.lod) ?? 0) + polygonArea(polygon));
+    if (isSurface(feature) || !polygon.linked) {
+      levels.set(polygon.lod,
+        (levels.get(polygon.lod) ?? 0) + polygonArea(polygon));
+    }
   }
   const expected = [...levels.values()];
   if (!expected.some(area => Math.abs(area - drawn) <= 1e-3 * area + 1e-3)) {
     differ(`${where}: ${drawn} m2 drawn of ${expected}`);
+  }
+}
+
+const isSurface = ({class: name}) => /Surface$/.test(name) ||
+  name === 'Window' || name === 'Door';
+
+const hostOf = feature => isSurface(feature) && features.has(feature.parent)
+  ? hostOf(features.get(feature.parent)) : feature;
+
+const levelOf = ({polygons}) => Math.max(-1,
+  ...polygons.filter(({rings}) => rings.length).map(({lod}) => Number(lod)));
+
+function checkComplete(drawn) {
+  const levels = new Map();
+  for (const feature of features.values()) {
+    const host = hostOf(feature);
+    levels.set(host, Math.max(levels.get(host) ?? -1, levelOf(feature)));
+  }
+  for (const feature of features.values()) {
+    if (isSurface(feature) && feature.polygons.length > 0 &&
+        levelOf(feature) === levels.get(hostOf(feature)) &&
+        !drawn.has(feature.id)) {
+      differ(`${feature.class} ${feature.id} is not drawn`);
+    }
   }
 }
 
@@ -87,6 +115,7 @@ for (const [number, all] of byRow) {
   all.forEach(corners => checkTriangle(feature, corners, where));
   checkArea(feature, all.reduce((sum, at) => sum + triangleArea(at), 0), where);
 }
+checkComplete(new Set([...byRow.keys()].map(number => rows[number].id)));
 console.log(`${counts.features} features, ${counts.placed} of them placed ` +
   `prototypes, ${counts.triangles} triangles: ${differences} differences`);
 process.exitCode = differences ? 1 : 0;

@@ -57,6 +57,22 @@ function walk(text, open, close) {
   }
 }
 
+// A geometry holds what it links to, through as many links as it takes.
+function followLinks(links, geometries) {
+  for (let grown = true; grown;) {
+    grown = false;
+    for (const {target, within} of links) {
+      for (const id of within) {
+        const all = geometries.get(id) ?? [];
+        const more = (geometries.get(target) ?? []).filter(
+          polygon => !all.includes(polygon));
+        grown ||= more.length > 0;
+        geometries.set(id, [...all, ...more]);
+      }
+    }
+  }
+}
+
 // [{id, class, name, parent, polygons: [{lod, rings}], implicit}] by id, plus
 // the polygons that a feature only refers to.
 export function readGml(file) {
@@ -94,7 +110,8 @@ export function readGml(file) {
     }
     const href = attribute(element.attributes, 'href');
     if (href?.startsWith('#') && feature && lodOf(stack)) {
-      links.push({feature, lod: lodOf(stack), target: href.slice(1)});
+      links.push({feature, lod: lodOf(stack), target: href.slice(1),
+        within: stack.map(({id}) => id).filter(Boolean)});
     }
   }, (stack, element, content) => {
     if (element.name === 'name' && element.prefix === 'gml:') {
@@ -115,6 +132,7 @@ export function readGml(file) {
       polygon = undefined;
     }
   });
+  followLinks(links, geometries);
   for (const {feature, lod, target} of links) {
     for (const linked of geometries.get(target) ?? []) {
       feature.polygons.push({...linked, lod, linked: true});

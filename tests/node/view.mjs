@@ -57,22 +57,37 @@ function dress(model) {
   }
 }
 
-// From the south-east and above, as near as the city's length allows.
+// The box of what is a building; of all where nothing is.
+async function town(model) {
+  const box = new THREE.Box3();
+  const meshes = [];
+  model.traverse(node => node.isMesh && meshes.push(node));
+  for (const mesh of meshes) {
+    const row = mesh.geometry.attributes._feature_id_0.getX(0);
+    if (await property(0, 'class', row) === 'Building') {
+      box.expandByObject(mesh);
+    }
+  }
+  return box.isEmpty() ? new THREE.Box3().setFromObject(model) : box;
+}
+
+// From above, at such a distance that the box fills the picture.
 function frame(box, {azimuth, elevation, fill, aim}) {
   const middle = box.getCenter(new THREE.Vector3());
   const size = box.getSize(new THREE.Vector3());
   const reach = Math.max(size.x, size.z);
-  const distance = fill * reach / (2 * Math.tan(camera.fov * Math.PI / 360));
+  const distance = reach / fill / camera.aspect /
+    (2 * Math.tan(camera.fov * Math.PI / 360));
   const a = azimuth * Math.PI / 180;
   const e = elevation * Math.PI / 180;
-  middle.x += aim[0] * size.x;
-  middle.z -= aim[1] * size.z;
+  middle.x += aim[0] * reach;
+  middle.z -= aim[1] * reach;
   middle.y = box.min.y + size.y * 0.2;
   camera.position.copy(middle).add(new THREE.Vector3(
     Math.sin(a) * Math.cos(e), Math.sin(e), Math.cos(a) * Math.cos(e))
     .multiplyScalar(distance));
   camera.lookAt(middle);
-  scene.fog = new THREE.Fog(0xdfe8ec, distance * 1.2, distance * 3.5);
+  scene.fog = new THREE.Fog(0xdfe8ec, distance * 1.1, distance * 4);
 }
 
 window.show = async (url, width, height, view) => {
@@ -83,13 +98,14 @@ window.show = async (url, width, height, view) => {
   const box = new THREE.Box3().setFromObject(gltf.scene);
   scene.background = sky();
   light(box);
+  const part = await town(gltf.scene);
   dress(gltf.scene);
   renderer.setSize(width, height);
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = THREE.PCFSoftShadowMap;
   document.body.append(renderer.domElement);
   camera.aspect = width / height;
-  frame(box, view);
+  frame(part, view);
   camera.updateProjectionMatrix();
   renderer.render(scene, camera);
   await new Promise(requestAnimationFrame);
@@ -112,9 +128,9 @@ async function property(table, id, row) {
     return new TextDecoder().decode(
       values.slice(offsets[row], offsets[row + 1]));
   }
-  return {FLOAT64: Float64Array, INT32: Int32Array, UINT8: Uint8Array}[
-    kind.componentType] && new {FLOAT64: Float64Array, INT32: Int32Array,
-    UINT8: Uint8Array}[kind.componentType](values)[row];
+  const Type = {FLOAT64: Float64Array, INT32: Int32Array,
+    UINT8: Uint8Array}[kind.componentType];
+  return new Type(values)[row];
 }
 
 // What stands in the middle of the picture for one who stands at `from` and
