@@ -29618,6 +29618,8 @@
      <app:target>#Road_3_0_A3_P</app:target>
      <app:target>#Road_3_0_A6_P</app:target>
      <app:target>#Road_3_0_A7_P</app:target>
+     <app:target>#Road_4_0_A2_P</app:target>
+     <app:target>#Road_4_0_A3_P</app:target>
      <app:target>#Road_0_1_A2_P</app:target>
      <app:target>#Road_0_1_A3_P</app:target>
      <app:target>#Road_0_1_A6_P</app:target>
@@ -29634,6 +29636,8 @@
      <app:target>#Road_3_1_A3_P</app:target>
      <app:target>#Road_3_1_A6_P</app:target>
      <app:target>#Road_3_1_A7_P</app:target>
+     <app:target>#Road_4_1_A2_P</app:target>
+     <app:target>#Road_4_1_A3_P</app:target>
      <app:target>#Road_0_2_A2_P</app:target>
      <app:target>#Road_0_2_A3_P</app:target>
      <app:target>#Road_0_2_A6_P</app:target>
@@ -29650,6 +29654,16 @@
      <app:target>#Road_3_2_A3_P</app:target>
      <app:target>#Road_3_2_A6_P</app:target>
      <app:target>#Road_3_2_A7_P</app:target>
+     <app:target>#Road_4_2_A2_P</app:target>
+     <app:target>#Road_4_2_A3_P</app:target>
+     <app:target>#Road_0_3_A2_P</app:target>
+     <app:target>#Road_0_3_A3_P</app:target>
+     <app:target>#Road_1_3_A2_P</app:target>
+     <app:target>#Road_1_3_A3_P</app:target>
+     <app:target>#Road_2_3_A2_P</app:target>
+     <app:target>#Road_2_3_A3_P</app:target>
+     <app:target>#Road_3_3_A2_P</app:target>
+     <app:target>#Road_3_3_A3_P</app:target>
     </app:X3DMaterial>
    </app:surfaceDataMember>
    <app:surfaceDataMember>
@@ -29673,6 +29687,10 @@
      <app:target>#Road_1_2_A4_P</app:target>
      <app:target>#Road_2_2_A4_P</app:target>
      <app:target>#Road_3_2_A4_P</app:target>
+     <app:target>#Road_0_3_A4_P</app:target>
+     <app:target>#Road_1_3_A4_P</app:target>
+     <app:target>#Road_2_3_A4_P</app:target>
+     <app:target>#Road_3_3_A4_P</app:target>
     </app:X3DMaterial>
    </app:surfaceDataMember>
   </app:Appearance>

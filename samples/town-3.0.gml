@@ -32543,6 +32543,8 @@
      <app:target>#Road_3_0_A3_P</app:target>
      <app:target>#Road_3_0_A6_P</app:target>
      <app:target>#Road_3_0_A7_P</app:target>
+     <app:target>#Road_4_0_A2_P</app:target>
+     <app:target>#Road_4_0_A3_P</app:target>
      <app:target>#Road_0_1_A2_P</app:target>
      <app:target>#Road_0_1_A3_P</app:target>
      <app:target>#Road_0_1_A6_P</app:target>
@@ -32559,6 +32561,8 @@
      <app:target>#Road_3_1_A3_P</app:target>
      <app:target>#Road_3_1_A6_P</app:target>
      <app:target>#Road_3_1_A7_P</app:target>
+     <app:target>#Road_4_1_A2_P</app:target>
+     <app:target>#Road_4_1_A3_P</app:target>
      <app:target>#Road_0_2_A2_P</app:target>
      <app:target>#Road_0_2_A3_P</app:target>
      <app:target>#Road_0_2_A6_P</app:target>
@@ -32575,6 +32579,16 @@
      <app:target>#Road_3_2_A3_P</app:target>
      <app:target>#Road_3_2_A6_P</app:target>
      <app:target>#Road_3_2_A7_P</app:target>
+     <app:target>#Road_4_2_A2_P</app:target>
+     <app:target>#Road_4_2_A3_P</app:target>
+     <app:target>#Road_0_3_A2_P</app:target>
+     <app:target>#Road_0_3_A3_P</app:target>
+     <app:target>#Road_1_3_A2_P</app:target>
+     <app:target>#Road_1_3_A3_P</app:target>
+     <app:target>#Road_2_3_A2_P</app:target>
+     <app:target>#Road_2_3_A3_P</app:target>
+     <app:target>#Road_3_3_A2_P</app:target>
+     <app:target>#Road_3_3_A3_P</app:target>
     </app:X3DMaterial>
    </app:surfaceData>
    <app:surfaceData>
@@ -32598,6 +32612,10 @@
      <app:target>#Road_1_2_A4_P</app:target>
      <app:target>#Road_2_2_A4_P</app:target>
      <app:target>#Road_3_2_A4_P</app:target>
+     <app:target>#Road_0_3_A4_P</app:target>
+     <app:target>#Road_1_3_A4_P</app:target>
+     <app:target>#Road_2_3_A4_P</app:target>
+     <app:target>#Road_3_3_A4_P</app:target>
     </app:X3DMaterial>
    </app:surfaceData>
   </app:Appearance>

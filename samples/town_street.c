@@ -166,22 +166,42 @@ railway_write(struct town *town)
 
 enum { COLOURED = 8 }; /* streets each way that have colours */
 
-/* The strips numbered in `which` of every street, as one material. */
+/* The streets at the town's east and north edge have fewer strips. */
+static bool
+strip_exists(const struct town *town, unsigned column, unsigned row, char strip)
+{
+	if (column == town->columns && row == town->rows)
+		return false;
+	if (column == town->columns)
+		return strip <= '3';
+	return row < town->rows || strip <= '4';
+}
+
+/* The strips numbered in `which` of one street. */
+static void
+strip_targets(
+	struct town *town, unsigned column, unsigned row, const char *which)
+{
+	char target[GML_ID];
+
+	for (; *which; which++) {
+		if (!strip_exists(town, column, row, *which))
+			continue;
+		snprintf(target, sizeof target, "#Road_%u_%u_A%c_P", column,
+			row, *which);
+		gml_leaf(town->gml, "app:target", target);
+	}
+}
+
 static void
 strip_colour(struct town *town, const char *id, struct colour colour,
 	const char *which)
 {
-	char target[GML_ID];
-
 	gml_material_open(town->gml, id, colour);
-	for (unsigned row = 0; row < town->rows && row < COLOURED; row++)
+	for (unsigned row = 0; row <= town->rows && row < COLOURED; row++)
 		for (unsigned column = 0;
-			column < town->columns && column < COLOURED; column++)
-			for (const char *at = which; *at; at++) {
-				snprintf(target, sizeof target,
-					"#Road_%u_%u_A%c_P", column, row, *at);
-				gml_leaf(town->gml, "app:target", target);
-			}
+			column <= town->columns && column < COLOURED; column++)
+			strip_targets(town, column, row, which);
 	gml_material_close(town->gml);
 }
 
