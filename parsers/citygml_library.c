@@ -211,7 +211,7 @@ store_ring(struct raw_library *library, const struct raw_object *from,
 	struct raw_ring *copy;
 
 	if (array_grow(&store->rings, 1) ||
-		array_grow(&store->positions, ring->length))
+		array_grow(&store->positions, ring->length + 1))
 		return fault_memory(fault);
 	copy = &store->rings.at[store->rings.count++];
 	*copy = *ring;

@@ -428,7 +428,7 @@ gml_begin(struct gml_reader *reader, const struct gml_limits *limits,
 		.model_srs = TCS_NONE,
 		.first_srs = TCS_NONE,
 	};
-	if (array_grow(&reader->frames, 1))
+	if (array_grow(&reader->frames, 1) || array_grow(&reader->text, 64))
 		return fault_memory(fault);
 	return TCS_OK;
 }
@@ -526,6 +526,8 @@ gml_open_object(struct gml_reader *reader, struct tcs_fault *fault)
 	if (reader->raw == reader->spare)
 		reader->spare = reader->raw->next;
 	reader->raw->next = NULL;
+	if (array_grow(&reader->raw->positions, 64))
+		return fault_memory(fault);
 	reader->raw->number = reader->objects++;
 	reader->object_srs = TCS_NONE;
 	return TCS_OK;
