@@ -44,10 +44,13 @@ struct tcs_array {
 /*
  * Make room for `more` elements behind the `count` there are. The room at
  * least doubles when it grows. Returns 0, or -1 when memory is out or the
- * size overflows, with the array as it was.
+ * size overflows, with the array as it was. `more` is evaluated more than once.
  */
 #define array_grow(array, more) \
-	array_grow_bytes((array), sizeof *(array)->at, (more))
+	((more) <= (array)->room && (array)->count <= (array)->room - (more) \
+			? 0 \
+			: array_grow_bytes( \
+				  (array), sizeof *(array)->at, (more)))
 
 /* Free what the array owns and make it the empty array. */
 #define array_release(array) array_release_bytes((array))

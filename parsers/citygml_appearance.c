@@ -1,17 +1,17 @@
 /*
- * Appearances: themes, and the X3D materials they put on surfaces.
+ * Appearances: themes, and the materials and textures they put on surfaces.
  *
- * Materials join the stream's palette when first met, equal ones once. The
- * targets of a feature's own appearance wait in its raw object; those of a
- * global appearance are kept for every object to look up.
+ * Materials and images join the stream's palette when first met, equal ones
+ * once. The targets of a feature's own appearance wait in its raw object; those
+ * of a global appearance go through a raw object of their own into the store,
+ * one surface data element at a time.
  *
  * source: CityGML 2.0 (OGC 12-019) clause 9.
  */
-#include "citygml_reader.h"
-
 #include <stdlib.h>
 #include <string.h>
 
+#include "citygml_reader.h"
 #include "number.h"
 
 static const struct tcs_material plain_material = {
@@ -23,123 +23,160 @@ static const struct tcs_material plain_material = {
 
 /* ---- the palette ------------------------------------------------------------ */
 
-static size_t
-material_hash(const struct tcs_material *material)
+enum tcs_status
+appearance_hand_over(struct gml_reader *reader, struct tcs_fault *fault)
 {
-	const unsigned char *bytes = (const unsigned char *)material;
-	uint64_t hash = 14695981039346656037u;
-
-	for (size_t i = 0; i < sizeof *material; i++)
-		hash = (hash ^ bytes[i]) * 1099511628211u;
-	return (size_t)(hash ^ hash >> 32);
+	if (reader->palette.images.count + reader->palette.materials.count == 0)
+		return TCS_OK;
+	if (palette_append(&reader->raw->palette, &reader->palette, fault))
+		return fault->status;
+	palette_clear(&reader->palette);
+	return TCS_OK;
 }
 
-static int
-slots_grow(struct gml_reader *reader)
-{
-	size_t room = reader->material_slots.count
-		? reader->material_slots.count * 2
-		: 64;
-
-	array_clear(&reader->material_slots);
-	if (array_grow(&reader->material_slots, room))
-		return -1;
-	reader->material_slots.count = room;
-	memset(reader->material_slots.at, 0xff, room * sizeof(uint32_t));
-	for (size_t i = 0; i < reader->palette.materials.count; i++) {
-		size_t slot = material_hash(&reader->palette.materials.at[i]);
-
-		while (reader->material_slots.at[slot & (room - 1)] != TCS_NONE)
-			slot++;
-		reader->material_slots.at[slot & (room - 1)] = (uint32_t)i;
-	}
-	return 0;
-}
-
-/* The palette entry equal to the material just read, added if new. */
+/* The material's fields are its key, as hexadecimal digits. */
 static enum tcs_status
 material_intern(
 	struct gml_reader *reader, uint32_t *out, struct tcs_fault *fault)
 {
+	const unsigned char *bytes = (const unsigned char *)&reader->material;
+	char key[2 * sizeof reader->material + 1];
 	struct tcs_palette *palette = &reader->palette;
-	size_t slot, mask;
+	enum tcs_status status;
+	bool added;
 
-	if (palette->materials.count * 2 >= reader->material_slots.count &&
-		slots_grow(reader))
-		return fault_memory(fault);
-	mask = reader->material_slots.count - 1;
-	slot = material_hash(&reader->material) & mask;
-	for (; reader->material_slots.at[slot] != TCS_NONE;
-		slot = (slot + 1) & mask) {
-		*out = reader->material_slots.at[slot];
-		if (!memcmp(&palette->materials.at[*out], &reader->material,
-			    sizeof reader->material))
-			return TCS_OK;
+	for (size_t i = 0; i < sizeof reader->material; i++) {
+		key[2 * i] = (char)('a' + (bytes[i] >> 4));
+		key[2 * i + 1] = (char)('a' + (bytes[i] & 15));
 	}
+	key[sizeof key - 1] = 0;
+	status = keys_add(&reader->materials, key, out, &added, fault);
+	if (status || !added)
+		return status;
 	if (array_grow(&palette->materials, 1))
 		return fault_memory(fault);
-	*out = (uint32_t)palette->materials.count;
 	palette->materials.at[palette->materials.count++] = reader->material;
-	reader->material_slots.at[slot] = *out;
 	return TCS_OK;
 }
 
-enum tcs_status
-appearance_hand_over(struct gml_reader *reader, struct tcs_fault *fault)
+static enum tcs_wrap
+wrap_of(const char *at, size_t length)
 {
-	struct tcs_palette *given = &reader->raw->palette;
-	size_t count = reader->palette.materials.count - reader->palette_taken;
+	static const struct {
+		const char *name;
+		enum tcs_wrap wrap;
+	} wraps[] = {
+		{"wrap", TCS_WRAP_REPEAT},
+		{"mirror", TCS_WRAP_MIRROR},
+		{"clamp", TCS_WRAP_CLAMP},
+		{"border", TCS_WRAP_BORDER},
+	};
 
-	if (!count)
-		return TCS_OK;
-	if (array_grow(&given->materials, count))
+	for (size_t i = 0; i < sizeof wraps / sizeof *wraps; i++)
+		if (strlen(wraps[i].name) == length &&
+			!memcmp(wraps[i].name, at, length))
+			return wraps[i].wrap;
+	return TCS_WRAP_NONE;
+}
+
+static enum tcs_status
+image_add(struct gml_reader *reader, struct tcs_fault *fault)
+{
+	const struct texture_text *texture = &reader->texture;
+	struct tcs_palette *palette = &reader->palette;
+	struct tcs_image image = {
+		.border = {0, 0, 0, 0},
+		.wrap = wrap_of(texture->wrap.at, texture->wrap.count),
+	};
+	double border[4];
+	int count = gml_numbers(
+		texture->border.at, texture->border.count, border, 4);
+	enum tcs_status status;
+
+	for (int i = 0; i < count; i++)
+		image.border[i] = (float)border[i];
+	status = text_append(palette, texture->uri.at, texture->uri.count,
+		&image.uri, fault);
+	if (!status)
+		status = text_append(palette, texture->mime.at,
+			texture->mime.count, &image.mime, fault);
+	if (!status)
+		status = text_append(palette, texture->type.at,
+			texture->type.count, &image.type, fault);
+	if (status)
+		return status;
+	if (array_grow(&palette->images, 1))
 		return fault_memory(fault);
-	memcpy(given->materials.at + given->materials.count,
-		reader->palette.materials.at + reader->palette_taken,
-		count * sizeof *given->materials.at);
-	given->materials.count += count;
-	reader->palette_taken += count;
+	palette->images.at[palette->images.count++] = image;
 	return TCS_OK;
+}
+
+/* All that a texture says is its key, line by line. */
+static enum tcs_status
+image_intern(struct gml_reader *reader, uint32_t *out, struct tcs_fault *fault)
+{
+	const struct texture_text *texture = &reader->texture;
+	size_t size = texture->uri.count + texture->mime.count +
+		texture->type.count + texture->wrap.count +
+		texture->border.count + 5;
+	char *key = malloc(size);
+	enum tcs_status status;
+	bool added = false;
+
+	if (!key)
+		return fault_memory(fault);
+	snprintf(key, size, "%.*s\n%.*s\n%.*s\n%.*s\n%.*s",
+		(int)texture->uri.count, texture->uri.at,
+		(int)texture->mime.count, texture->mime.at,
+		(int)texture->type.count, texture->type.at,
+		(int)texture->wrap.count, texture->wrap.at,
+		(int)texture->border.count, texture->border.at);
+	status = keys_add(&reader->images, key, out, &added, fault);
+	free(key);
+	return status || !added ? status : image_add(reader, fault);
 }
 
 /* ---- targets ------------------------------------------------------------------ */
 
 static enum tcs_status
-global_target(struct gml_reader *reader, const char *at, size_t length,
-	struct tcs_fault *fault)
-{
-	struct gml_paint *paint;
-
-	if (array_grow(&reader->paints, 1))
-		return fault_memory(fault);
-	paint = &reader->paints.at[reader->paints.count];
-	*paint = (struct gml_paint){
-		.theme = strndup(reader->theme.at ? reader->theme.at : "",
-			reader->theme.count),
-		.target = strndup(at, length),
-		.material = TCS_NONE,
-	};
-	reader->paints.count++;
-	return paint->theme && paint->target ? TCS_OK : fault_memory(fault);
-}
-
-static enum tcs_status
-local_target(struct gml_reader *reader, const char *at, size_t length,
+target_add(struct gml_reader *reader, const char *at, size_t length,
 	struct tcs_fault *fault)
 {
 	struct raw_object *raw = reader->raw;
 	struct raw_paint *paint;
 	enum tcs_status status;
 
+	if (length && *at == '#')
+		at++, length--;
+	if (!length)
+		return TCS_OK;
 	if (array_grow(&raw->paints, 1))
 		return fault_memory(fault);
 	paint = &raw->paints.at[raw->paints.count++];
-	*paint = (struct raw_paint){.material = TCS_NONE};
+	*paint = (struct raw_paint){
+		.material = TCS_NONE,
+		.image = TCS_NONE,
+		.first_ring = (uint32_t)raw->texrings.count,
+	};
 	status = gml_text(reader, reader->theme.at, reader->theme.count,
 		&paint->theme, fault);
 	if (!status)
 		status = gml_text(reader, at, length, &paint->target, fault);
 	return status;
+}
+
+/* A material names its target as text, a texture as an attribute. */
+static enum tcs_status
+target_begin(struct gml_reader *reader, struct frame *frame,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	const struct xml_attribute *uri =
+		attribute_find(attributes, count, "uri");
+
+	frame->wants_text = !uri;
+	return uri ? target_add(reader, uri->value, uri->length, fault)
+		   : TCS_OK;
 }
 
 static enum tcs_status
@@ -149,31 +186,21 @@ target_end(struct gml_reader *reader, struct tcs_fault *fault)
 	size_t length;
 
 	gml_trimmed(reader, &at, &length);
-	if (length && *at == '#')
-		at++, length--;
-	if (!length)
-		return TCS_OK;
-	return reader->raw ? local_target(reader, at, length, fault)
-			   : global_target(reader, at, length, fault);
+	return target_add(reader, at, length, fault);
 }
 
-/* ---- materials ------------------------------------------------------------------ */
+/* ---- values ---------------------------------------------------------------------- */
 
 static void
-read_numbers(struct gml_reader *reader, float *out, int count)
+read_numbers(struct gml_reader *reader, float *out, int want)
 {
-	const char *at = reader->text.at;
-	const char *end = at + reader->text.count;
+	double values[3];
+	int count =
+		gml_numbers(reader->text.at, reader->text.count, values, want);
 
-	for (int i = 0; i < count && at; i++) {
-		double value;
-
-		while (at < end && (unsigned char)*at <= ' ')
-			at++;
-		at = number_parse(at, end, &value);
-		if (at && value >= 0 && value <= 1)
-			out[i] = (float)value;
-	}
+	for (int i = 0; i < count; i++)
+		if (values[i] >= 0 && values[i] <= 1)
+			out[i] = (float)values[i];
 }
 
 static bool
@@ -187,62 +214,217 @@ read_boolean(struct gml_reader *reader)
 }
 
 static void
-value_end(struct gml_reader *reader, const struct name *name)
+material_value_end(struct gml_reader *reader, const struct name *name)
 {
 	struct tcs_material *material = &reader->material;
+	const struct {
+		const char *name;
+		float *to;
+		int count;
+	} values[] = {
+		{"ambientIntensity", &material->ambient, 1},
+		{"diffuseColor", material->diffuse, 3},
+		{"emissiveColor", material->emissive, 3},
+		{"shininess", &material->shininess, 1},
+		{"specularColor", material->specular, 3},
+		{"transparency", &material->transparency, 1},
+	};
 
-	switch (name->local[0]) {
-	case 'a':
-		read_numbers(reader, &material->ambient, 1);
-		break;
-	case 'd':
-		read_numbers(reader, material->diffuse, 3);
-		break;
-	case 'e':
-		read_numbers(reader, material->emissive, 3);
-		break;
-	case 't':
-		read_numbers(reader, &material->transparency, 1);
-		break;
-	case 'i':
-		if (!strcmp(name->local, "isSmooth"))
-			material->smooth = read_boolean(reader);
-		else
-			reader->back = !read_boolean(reader);
-		break;
-	default:
-		if (!strcmp(name->local, "shininess"))
-			read_numbers(reader, &material->shininess, 1);
-		else
-			read_numbers(reader, material->specular, 3);
-	}
+	if (!strcmp(name->local, "isFront"))
+		reader->back = !read_boolean(reader);
+	if (!strcmp(name->local, "isSmooth"))
+		material->smooth = read_boolean(reader);
+	for (size_t i = 0; i < sizeof values / sizeof *values; i++)
+		if (!strcmp(name->local, values[i].name))
+			read_numbers(reader, values[i].to, values[i].count);
 }
 
 static enum tcs_status
-material_end(struct gml_reader *reader, struct tcs_fault *fault)
+keep_text(struct gml_reader *reader, void *array, struct tcs_fault *fault)
 {
-	enum tcs_status status;
-	uint32_t material = TCS_NONE;
+	TCS_ARRAY_TYPE(kept, char) *to = array;
+	const char *at;
+	size_t length;
 
-	status = material_intern(reader, &material, fault);
-	if (status)
-		return status;
-	if (reader->raw)
-		for (size_t i = reader->first_paint;
-			i < reader->raw->paints.count; i++) {
-			reader->raw->paints.at[i].material = material;
-			reader->raw->paints.at[i].back = reader->back;
-		}
-	else
-		for (size_t i = reader->first_paint; i < reader->paints.count;
-			i++) {
-			reader->paints.at[i].material = material;
-			reader->paints.at[i].back = reader->back;
-		}
+	gml_trimmed(reader, &at, &length);
+	to->count = 0;
+	if (array_grow(to, length + 1))
+		return fault_memory(fault);
+	memcpy(to->at, at, length);
+	to->count = length;
 	return TCS_OK;
 }
 
-/* ---- elements --------------------------------------------------------------------- */
+static enum tcs_status
+texture_value_end(struct gml_reader *reader, const struct name *name,
+	struct tcs_fault *fault)
+{
+	struct texture_text *texture = &reader->texture;
+
+	switch (name->local[0]) {
+	case 'i':
+		return keep_text(reader, &texture->uri, fault);
+	case 'm':
+		return keep_text(reader, &texture->mime, fault);
+	case 't':
+		return keep_text(reader, &texture->type, fault);
+	case 'w':
+		return keep_text(reader, &texture->wrap, fault);
+	default:
+		return keep_text(reader, &texture->border, fault);
+	}
+}
+
+/* ---- texture coordinates ------------------------------------------------------------ */
+
+static struct raw_paint *
+paint_last(struct gml_reader *reader)
+{
+	struct raw_object *raw = reader->raw;
+
+	return raw->paints.count > reader->first_paint
+		? &raw->paints.at[raw->paints.count - 1]
+		: NULL;
+}
+
+static enum tcs_status
+texring_begin(struct gml_reader *reader, struct frame *frame,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault)
+{
+	const struct xml_attribute *id =
+		attribute_find(attributes, count, "ring");
+	struct raw_object *raw = reader->raw;
+	struct raw_texring *ring;
+	size_t skip;
+
+	if (!id || !paint_last(reader))
+		return TCS_OK;
+	frame->wants_text = true;
+	if (array_grow(&raw->texrings, 1))
+		return fault_memory(fault);
+	ring = &raw->texrings.at[raw->texrings.count++];
+	*ring = (struct raw_texring){0};
+	skip = id->length && *id->value == '#';
+	return gml_text(reader, id->value + skip, id->length - skip,
+		&ring->ring, fault);
+}
+
+static enum tcs_status
+texring_end(struct gml_reader *reader, struct tcs_fault *fault)
+{
+	struct raw_object *raw = reader->raw;
+	struct raw_paint *paint = paint_last(reader);
+	struct raw_texring *ring;
+	size_t length = reader->text.count;
+
+	if (!paint || !raw->texrings.count)
+		return TCS_OK;
+	if (array_grow(&raw->positions, length + 1))
+		return fault_memory(fault);
+	ring = &raw->texrings.at[raw->texrings.count - 1];
+	ring->first = raw->positions.count;
+	ring->length = length;
+	memcpy(raw->positions.at + ring->first, reader->text.at, length);
+	raw->positions.count += length;
+	paint->mapping = MAPPING_LIST;
+	paint->ring_count = (uint32_t)raw->texrings.count - paint->first_ring;
+	return TCS_OK;
+}
+
+static enum tcs_status
+texmatrix_end(struct gml_reader *reader, struct tcs_fault *fault)
+{
+	struct raw_object *raw = reader->raw;
+	struct raw_paint *paint = paint_last(reader);
+	struct raw_texmatrix *matrix;
+
+	if (!paint)
+		return TCS_OK;
+	if (array_grow(&raw->texmatrices, 1))
+		return fault_memory(fault);
+	matrix = &raw->texmatrices.at[raw->texmatrices.count];
+	if (gml_numbers(reader->text.at, reader->text.count, matrix->at, 12) !=
+		12)
+		return TCS_OK;
+	paint->mapping = MAPPING_MATRIX;
+	paint->matrix = (uint32_t)raw->texmatrices.count++;
+	return TCS_OK;
+}
+
+/* ---- surface data --------------------------------------------------------------------- */
+
+/* Its paints go to the store when the appearance is of the whole model. */
+static enum tcs_status
+surface_data_store(struct gml_reader *reader, struct tcs_fault *fault)
+{
+	struct raw_object *raw = reader->raw;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < raw->paints.count; i++)
+		status = store_add(
+			&reader->store, raw, &raw->paints.at[i], fault);
+	if (!status)
+		status = report_merge(&reader->report, &raw->report, fault);
+	raw_clear(raw);
+	return status;
+}
+
+static enum tcs_status
+surface_data_end(struct gml_reader *reader, const struct name *name,
+	struct tcs_fault *fault)
+{
+	struct raw_object *raw = reader->raw;
+	uint32_t material = TCS_NONE, image = TCS_NONE;
+	enum tcs_status status = TCS_OK;
+
+	if (raw->paints.count == reader->first_paint)
+		return TCS_OK;
+	if (name->kind == NAME_MATERIAL)
+		status = material_intern(reader, &material, fault);
+	else
+		status = image_intern(reader, &image, fault);
+	if (status)
+		return status;
+	for (size_t i = reader->first_paint; i < raw->paints.count; i++) {
+		raw->paints.at[i].material = material;
+		raw->paints.at[i].image = image;
+		raw->paints.at[i].back = reader->back;
+	}
+	return reader->pass == PASS_APPEARANCES
+		? surface_data_store(reader, fault)
+		: TCS_OK;
+}
+
+static enum tcs_status
+surface_data_begin(struct gml_reader *reader, const struct name *name)
+{
+	struct texture_text *texture = &reader->texture;
+
+	reader->first_paint = (uint32_t)reader->raw->paints.count;
+	reader->back = false;
+	if (name->kind == NAME_MATERIAL)
+		reader->material = plain_material;
+	texture->uri.count = texture->mime.count = texture->type.count = 0;
+	texture->wrap.count = texture->border.count = 0;
+	return TCS_OK;
+}
+
+/* ---- elements --------------------------------------------------------------------------- */
+
+/* Where its image lies says a file beside the image, or numbers that need the
+ * image's size. */
+static enum tcs_status
+georeferenced_skip(
+	struct gml_reader *reader, struct name *name, struct tcs_fault *fault)
+{
+	enum tcs_status status = gml_skipped(reader, "texture",
+		"georeferenced ones are not read", NULL, fault);
+
+	if (status)
+		return status;
+	return gml_push(reader, name, ROLE_SKIP, NULL, fault);
+}
 
 enum tcs_status
 appearance_child(struct gml_reader *reader, struct name *name,
@@ -252,46 +434,32 @@ appearance_child(struct gml_reader *reader, struct name *name,
 	enum tcs_status status;
 	struct frame *frame;
 
-	(void)attributes;
-	(void)count;
-	if (name->kind == NAME_TEXTURE) {
-		status = gml_skipped(reader, "texture",
-			"images are not read yet", NULL, fault);
-		if (status)
-			return status;
-		return gml_push(reader, name, ROLE_SKIP, NULL, fault);
-	}
+	if (name->kind == NAME_TEXTURE &&
+		!strcmp(name->local, "GeoreferencedTexture"))
+		return georeferenced_skip(reader, name, fault);
 	status = gml_push(reader, name, ROLE_APPEARANCE, &frame, fault);
 	if (status)
 		return status;
-	frame->wants_text = name->kind == NAME_THEME ||
-		name->kind == NAME_TARGET || name->kind == NAME_MATERIAL_VALUE;
-	if (name->kind == NAME_APPEARANCE)
+	switch (name->kind) {
+	case NAME_APPEARANCE:
 		reader->theme.count = 0;
-	if (name->kind == NAME_MATERIAL) {
-		reader->material = plain_material;
-		reader->back = false;
-		reader->first_paint =
-			(uint32_t)(reader->raw ? reader->raw->paints.count
-					       : reader->paints.count);
+		return TCS_OK;
+	case NAME_MATERIAL:
+	case NAME_TEXTURE:
+		return surface_data_begin(reader, name);
+	case NAME_TARGET:
+		return target_begin(reader, frame, attributes, count, fault);
+	case NAME_TEXTURE_RING:
+		return texring_begin(reader, frame, attributes, count, fault);
+	case NAME_THEME:
+	case NAME_MATERIAL_VALUE:
+	case NAME_TEXTURE_VALUE:
+	case NAME_TEXTURE_MATRIX:
+		frame->wants_text = true;
+		return TCS_OK;
+	default:
+		return TCS_OK;
 	}
-	return TCS_OK;
-}
-
-static enum tcs_status
-theme_end(struct gml_reader *reader, struct tcs_fault *fault)
-{
-	const char *at;
-	size_t length;
-
-	gml_trimmed(reader, &at, &length);
-	array_clear(&reader->theme);
-	if (array_grow(&reader->theme, length))
-		return fault_memory(fault);
-	if (length)
-		memcpy(reader->theme.at, at, length);
-	reader->theme.count = length;
-	return TCS_OK;
 }
 
 enum tcs_status
@@ -300,14 +468,21 @@ appearance_end(
 {
 	switch (frame->name->kind) {
 	case NAME_THEME:
-		return theme_end(reader, fault);
+		return keep_text(reader, &reader->theme, fault);
 	case NAME_TARGET:
-		return target_end(reader, fault);
+		return frame->wants_text ? target_end(reader, fault) : TCS_OK;
 	case NAME_MATERIAL_VALUE:
-		value_end(reader, frame->name);
+		material_value_end(reader, frame->name);
 		return TCS_OK;
+	case NAME_TEXTURE_VALUE:
+		return texture_value_end(reader, frame->name, fault);
+	case NAME_TEXTURE_RING:
+		return frame->wants_text ? texring_end(reader, fault) : TCS_OK;
+	case NAME_TEXTURE_MATRIX:
+		return texmatrix_end(reader, fault);
 	case NAME_MATERIAL:
-		return material_end(reader, fault);
+	case NAME_TEXTURE:
+		return surface_data_end(reader, frame->name, fault);
 	default:
 		return TCS_OK;
 	}
@@ -316,12 +491,14 @@ appearance_end(
 void
 appearance_release(struct gml_reader *reader)
 {
-	for (size_t i = 0; i < reader->paints.count; i++) {
-		free(reader->paints.at[i].theme);
-		free(reader->paints.at[i].target);
-	}
-	array_release(&reader->paints);
 	array_release(&reader->theme);
-	array_release(&reader->material_slots);
+	array_release(&reader->texture.uri);
+	array_release(&reader->texture.mime);
+	array_release(&reader->texture.type);
+	array_release(&reader->texture.wrap);
+	array_release(&reader->texture.border);
+	keys_release(&reader->materials);
+	keys_release(&reader->images);
 	palette_release(&reader->palette);
+	store_release(&reader->store);
 }

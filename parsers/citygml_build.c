@@ -24,6 +24,7 @@ builder_release(struct builder *builder)
 	array_release(&builder->ring_sizes);
 	array_release(&builder->ring_ids);
 	array_release(&builder->paints);
+	array_release(&builder->texcoords);
 	array_release(&builder->order);
 	array_release(&builder->attributes);
 }
@@ -269,8 +270,8 @@ polygon_write(struct build *build, const struct raw_use *use,
 	out->polygons.at[out->polygons.count++] = polygon;
 	if (use->home != build->raw)
 		return TCS_OK;
-	return paints_write(build->builder, build->raw, out, use->polygon,
-		(uint32_t)out->polygons.count - 1, fault);
+	return paints_write(build->builder, build->raw, use->polygon, out,
+		build->report, fault);
 }
 
 static void
@@ -623,8 +624,7 @@ build_object(struct builder *builder, const struct build_plan *plan,
 	status = links_resolve(&builder->links, raw, plan->library, &plan->lods,
 		&raw->report, fault);
 	if (!status)
-		status =
-			paints_collect(builder, plan, raw, &raw->report, fault);
+		status = paints_collect(builder, raw, &raw->report, fault);
 	for (uint32_t i = 0; !status && i < raw->geometries.count; i++) {
 		build.solid = 0;
 		status = geometry_write(&build, i, RAW_AREA, fault);
@@ -673,7 +673,7 @@ build_prototype(struct builder *builder, const struct build_plan *plan,
 		status = links_resolve_template(&builder->links, raw,
 			plan->library, geometry, report, fault);
 	if (!status)
-		status = paints_collect(builder, plan, raw, NULL, fault);
+		status = paints_collect(builder, raw, NULL, fault);
 	if (!status)
 		status = geometry_write(&build, geometry, RAW_AREA, fault);
 	if (!status)

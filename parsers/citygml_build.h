@@ -7,32 +7,22 @@
 
 #include "citygml_links.h"
 #include "citygml_raw.h"
+#include "citygml_store.h"
 #include "number.h"
 #include "report.h"
 #include "triangulate.h"
-
-/* Global paints by target id, sorted; shared by all workers, read only. */
-struct global_paint {
-	const char *target;
-	const char *theme;
-	uint32_t material;
-	bool back;
-};
 
 /* What all workers are told; read only while they work. */
 struct build_plan {
 	struct lod_choice lods;
 	const struct raw_library *library; /* NULL in the first pass */
-	const struct global_paint *paints; /* sorted by target */
-	size_t paint_count;
+	const struct paint_store *store; /* closed; NULL: no global paints */
 };
 
 /* A paint waiting for its polygon. */
 struct build_paint {
 	uint32_t polygon; /* of the raw object */
-	tcs_text theme;
-	uint32_t material;
-	bool back;
+	uint32_t paint; /* of the raw object */
 };
 
 /* One worker's scratch, reused. All zero but for the triangulator. */
@@ -45,6 +35,7 @@ struct builder {
 	TCS_ARRAY(uint32_t) ring_sizes;
 	TCS_ARRAY(tcs_text) ring_ids;
 	TCS_ARRAY(struct build_paint) paints; /* sorted by polygon */
+	struct number_list texcoords; /* of one ring */
 	TCS_ARRAY(uint32_t) order; /* of the attributes */
 	TCS_ARRAY(struct tcs_attribute) attributes;
 };
@@ -89,20 +80,33 @@ enum tcs_status rings_read(struct builder *builder,
 	const char **problem, struct report *report,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/*
+ * The numbers of a text, at most `want`: how many, -1 when something else
+ * stands there too or more follow.
+ */
+int numbers_of(const char *at, size_t length, double *out, size_t want);
+
 /* ---- citygml_paint.c ---------------------------------------------------- */
+
+/* Add what global appearances put on the targets of the object; once. */
+enum tcs_status paints_fetch(const struct build_plan *plan,
+	struct raw_object *raw, struct tcs_fault *fault) TCS_CHECKED;
 
 /*
  * After links_resolve: all paints of the object, sorted by polygon. Targets
  * that are not there go to the report; NULL: were reported before.
  */
 enum tcs_status paints_collect(struct builder *builder,
-	const struct build_plan *plan, struct raw_object *raw,
-	struct report *report, struct tcs_fault *fault) TCS_CHECKED;
+	const struct raw_object *raw, struct report *report,
+	struct tcs_fault *fault) TCS_CHECKED;
 
-/* Append the paints of one raw polygon to `out`, for its polygon there. */
-enum tcs_status paints_write(const struct builder *builder,
-	const struct raw_object *raw, struct tcs_object *out,
-	uint32_t raw_polygon, uint32_t polygon,
+/*
+ * Append the paints of one raw polygon to `out`, for its last polygon, whose
+ * points are still in the builder.
+ */
+enum tcs_status paints_write(struct builder *builder,
+	const struct raw_object *raw, uint32_t raw_polygon,
+	struct tcs_object *out, struct report *report,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 #endif

@@ -1,6 +1,5 @@
 #include "citygml_convert.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -38,7 +37,6 @@ struct convert {
 	struct tcs_writer writer;
 	struct build_plan plan;
 	struct raw_library library;
-	TCS_ARRAY(struct global_paint) paints;
 	TCS_ARRAY(uint64_t) deferred; /* numbers of the objects that wait */
 	size_t next_deferred;
 	struct builder *builders; /* one per job */
@@ -152,6 +150,12 @@ slot_forget(struct slot *slot)
 	array_clear(&slot->missing);
 }
 
+static bool
+has_palette(const struct raw_object *raw)
+{
+	return raw->palette.materials.count || raw->palette.images.count;
+}
+
 /* Whether it links to a template that may be still to come. */
 static bool
 slot_waits(const struct convert *convert, const struct slot *slot)
@@ -226,8 +230,10 @@ convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
 	slot_forget(slot);
 	if (convert->phase == PHASE_COLLECT)
 		return TCS_OK;
-	status = work_on_templates(convert, slot, builder, fault);
-	if (!status && slot->raw->palette.materials.count)
+	status = paints_fetch(&convert->plan, slot->raw, fault);
+	if (!status)
+		status = work_on_templates(convert, slot, builder, fault);
+	if (!status && has_palette(slot->raw))
 		status = palette_encode(
 			&slot->raw->palette, &slot->palette, fault);
 	if (status || slot_waits(convert, slot))
@@ -276,7 +282,7 @@ convert_write(void *context, void *item, struct tcs_fault *fault)
 		return library_collect(&convert->library, slot->raw, fault);
 	if (!convert->head_written)
 		status = write_head(convert, fault);
-	if (!status && slot->raw->palette.materials.count)
+	if (!status && has_palette(slot->raw))
 		status = writer_put(&convert->writer, &slot->palette, fault);
 	for (size_t i = 0; !status && i < slot->prototype_count; i++)
 		status = writer_put(
@@ -349,39 +355,6 @@ document_has_appearances(
 	}
 }
 
-static int
-compare_global_paints(const void *a, const void *b)
-{
-	const struct global_paint *one = a, *two = b;
-	int order = strcmp(one->target, two->target);
-
-	return order ? order : strcmp(one->theme, two->theme);
-}
-
-static enum tcs_status
-sort_paints(struct convert *convert, struct tcs_fault *fault)
-{
-	size_t count = convert->reader.paints.count;
-
-	if (array_grow(&convert->paints, count))
-		return fault_memory(fault);
-	for (size_t i = 0; i < count; i++) {
-		const struct gml_paint *paint = &convert->reader.paints.at[i];
-
-		if (paint->material == TCS_NONE)
-			continue;
-		convert->paints.at[convert->paints.count++] =
-			(struct global_paint){paint->target, paint->theme,
-				paint->material, paint->back};
-	}
-	if (convert->paints.count)
-		qsort(convert->paints.at, convert->paints.count,
-			sizeof *convert->paints.at, compare_global_paints);
-	convert->plan.paints = convert->paints.at;
-	convert->plan.paint_count = convert->paints.count;
-	return TCS_OK;
-}
-
 static enum tcs_status
 read_appearances(struct convert *convert, struct tcs_fault *fault)
 {
@@ -395,7 +368,8 @@ read_appearances(struct convert *convert, struct tcs_fault *fault)
 		return status;
 	while (!status && !convert->ended)
 		status = feed(convert, fault);
-	return status ? status : sort_paints(convert, fault);
+	convert->plan.store = &convert->reader.store;
+	return status ? status : store_close(&convert->reader.store, fault);
 }
 
 static enum tcs_status
@@ -499,7 +473,6 @@ convert_end(struct convert *convert)
 	free(convert->builders);
 	gml_release(&convert->reader);
 	library_release(&convert->library);
-	array_release(&convert->paints);
 	array_release(&convert->deferred);
 	record_release(&convert->head);
 	writer_release(&convert->writer);

@@ -53,6 +53,10 @@ enum name_kind {
 	NAME_MATERIAL,
 	NAME_MATERIAL_VALUE, /* a colour or number of a material */
 	NAME_TEXTURE,
+	NAME_TEXTURE_VALUE, /* imageURI, wrapMode, … */
+	NAME_TEXTURE_LIST, /* TexCoordList */
+	NAME_TEXTURE_RING, /* textureCoordinates of one ring */
+	NAME_TEXTURE_MATRIX, /* worldToTexture */
 	NAME_TARGET,
 
 	/* GML: what holds surfaces, lines and points */

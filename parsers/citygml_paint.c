@@ -1,15 +1,32 @@
 /*
- * Paints: from what themes name to the polygons they colour.
+ * Paints: from what themes name to the polygons they colour, and texture
+ * coordinates for the vertices of these.
  */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "citygml_build.h"
 
+/* ---- which polygon has which paint -------------------------------------------- */
+
+enum tcs_status
+paints_fetch(const struct build_plan *plan, struct raw_object *raw,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	if (!plan->store || !plan->store->places.count)
+		return TCS_OK;
+	for (size_t i = 0; !status && i < raw->targets.count; i++)
+		status = store_fetch(
+			plan->store, raw, raw->targets.at[i].id, fault);
+	return status;
+}
+
 static enum tcs_status
 paint_target(struct builder *builder, const struct raw_object *raw,
-	const struct raw_target *target, tcs_text theme, uint32_t material,
-	bool back, struct tcs_fault *fault)
+	const struct raw_target *target, size_t paint, struct tcs_fault *fault)
 {
 	for (uint32_t i = target->first_member; i < target->member_end; i++) {
 		uint32_t polygon = raw->members.at[i].polygon;
@@ -19,87 +36,7 @@ paint_target(struct builder *builder, const struct raw_object *raw,
 		if (array_grow(&builder->paints, 1))
 			return fault_memory(fault);
 		builder->paints.at[builder->paints.count++] =
-			(struct build_paint){polygon, theme, material, back};
-	}
-	return TCS_OK;
-}
-
-static enum tcs_status
-paints_local(struct builder *builder, struct raw_object *raw,
-	struct report *report, struct tcs_fault *fault)
-{
-	enum tcs_status status = TCS_OK;
-
-	for (size_t i = 0; !status && i < raw->paints.count; i++) {
-		const struct raw_paint *paint = &raw->paints.at[i];
-		const char *id = object_text(&raw->tree, paint->target);
-		const struct raw_target *target =
-			index_find(&builder->links.targets, raw, id);
-
-		if (paint->material == TCS_NONE)
-			continue;
-		if (target)
-			status =
-				paint_target(builder, raw, target, paint->theme,
-					paint->material, paint->back, fault);
-		else if (report)
-			status = report_item(report, REPORT_SKIPPED, "material",
-				"its target is not in the feature", id,
-				TCS_NOWHERE, fault);
-	}
-	return status;
-}
-
-static int
-compare_global(const void *key, const void *row)
-{
-	return strcmp(key, ((const struct global_paint *)row)->target);
-}
-
-/* All global paints of one target stand together; any of them is found. */
-static const struct global_paint *
-global_first(const struct build_plan *plan, const char *id)
-{
-	const struct global_paint *found = plan->paint_count
-		? bsearch(id, plan->paints, plan->paint_count,
-			  sizeof *plan->paints, compare_global)
-		: NULL;
-
-	while (found && found > plan->paints && !strcmp(found[-1].target, id))
-		found--;
-	return found;
-}
-
-static enum tcs_status
-paints_global(struct builder *builder, const struct build_plan *plan,
-	struct raw_object *raw, struct tcs_fault *fault)
-{
-	enum tcs_status status = TCS_OK;
-	const char *last = NULL;
-	tcs_text theme = 0;
-
-	if (!plan->paint_count)
-		return TCS_OK;
-	for (size_t i = 0; i < raw->targets.count; i++) {
-		const struct raw_target *target = &raw->targets.at[i];
-		const struct global_paint *paint =
-			global_first(plan, object_text(&raw->tree, target->id));
-		const char *id = paint ? paint->target : NULL;
-
-		for (; paint && paint < plan->paints + plan->paint_count &&
-			!strcmp(paint->target, id);
-			paint++) {
-			if (!last || strcmp(last, paint->theme))
-				status = text_append(&raw->tree, paint->theme,
-					strlen(paint->theme), &theme, fault);
-			last = paint->theme;
-			if (!status)
-				status = paint_target(builder, raw, target,
-					theme, paint->material, paint->back,
-					fault);
-			if (status)
-				return status;
-		}
+			(struct build_paint){polygon, (uint32_t)paint};
 	}
 	return TCS_OK;
 }
@@ -111,31 +48,196 @@ compare_paints(const void *a, const void *b)
 
 	if (one->polygon != two->polygon)
 		return one->polygon < two->polygon ? -1 : 1;
-	if (one->theme != two->theme)
-		return one->theme < two->theme ? -1 : 1;
-	return (int)one->back - (int)two->back;
+	return one->paint < two->paint ? -1 : one->paint > two->paint;
 }
 
 enum tcs_status
-paints_collect(struct builder *builder, const struct build_plan *plan,
-	struct raw_object *raw, struct report *report, struct tcs_fault *fault)
+paints_collect(struct builder *builder, const struct raw_object *raw,
+	struct report *report, struct tcs_fault *fault)
 {
-	enum tcs_status status;
+	enum tcs_status status = TCS_OK;
 
 	array_clear(&builder->paints);
-	status = paints_local(builder, raw, report, fault);
-	if (!status)
-		status = paints_global(builder, plan, raw, fault);
+	for (size_t i = 0; !status && i < raw->paints.count; i++) {
+		const char *id =
+			object_text(&raw->tree, raw->paints.at[i].target);
+		const struct raw_target *target =
+			index_find(&builder->links.targets, raw, id);
+
+		if (target)
+			status = paint_target(builder, raw, target, i, fault);
+		else if (report)
+			status = report_item(report, REPORT_SKIPPED, "paint",
+				"its target is not in the feature", id,
+				TCS_NOWHERE, fault);
+	}
 	if (!status && builder->paints.count)
 		qsort(builder->paints.at, builder->paints.count,
 			sizeof *builder->paints.at, compare_paints);
 	return status;
 }
 
-enum tcs_status
-paints_write(const struct builder *builder, const struct raw_object *raw,
-	struct tcs_object *out, uint32_t raw_polygon, uint32_t polygon,
-	struct tcs_fault *fault)
+/* ---- texture coordinates ---------------------------------------------------------- */
+
+static const struct raw_texring *
+texring_find(const struct raw_object *raw, const struct raw_paint *paint,
+	const char *id)
+{
+	for (uint32_t i = 0; *id && i < paint->ring_count; i++) {
+		const struct raw_texring *ring =
+			&raw->texrings.at[paint->first_ring + i];
+
+		if (!strcmp(object_text(&raw->tree, ring->ring), id))
+			return ring;
+	}
+	return NULL;
+}
+
+/* A closed ring repeats its first coordinate, or does not. */
+static const char *
+texring_read(struct builder *builder, const struct raw_object *raw,
+	const struct raw_texring *ring, size_t vertices,
+	struct tcs_texcoord *out)
+{
+	size_t want = 2 * (vertices + 1);
+	int count;
+
+	if (!ring)
+		return "a ring has no texture coordinates";
+	if (array_grow(&builder->texcoords, want))
+		return "out of memory";
+	count = numbers_of(raw->positions.at + ring->first, ring->length,
+		builder->texcoords.at, want);
+	if (count < 0 || ((size_t)count != want && (size_t)count != want - 2))
+		return "its texture coordinates do not fit its rings";
+	for (size_t i = 0; i < vertices; i++)
+		out[i] = (struct tcs_texcoord){builder->texcoords.at[2 * i],
+			builder->texcoords.at[2 * i + 1]};
+	return NULL;
+}
+
+static const char *
+texcoords_of_list(struct builder *builder, const struct raw_object *raw,
+	const struct raw_paint *paint, struct tcs_texcoord *out)
+{
+	for (size_t i = 0; i < builder->ring_sizes.count; i++) {
+		const char *id =
+			object_text(&raw->tree, builder->ring_ids.at[i]);
+		const char *problem =
+			texring_read(builder, raw, texring_find(raw, paint, id),
+				builder->ring_sizes.at[i], out);
+
+		if (problem)
+			return problem;
+		out += builder->ring_sizes.at[i];
+	}
+	return NULL;
+}
+
+/* The matrix is for coordinates as the file writes them. */
+static const char *
+texcoords_of_matrix(const struct builder *builder, const double m[12],
+	bool swap, struct tcs_texcoord *out)
+{
+	for (size_t i = 0; i < builder->points.count; i++) {
+		const struct tcs_point *p = &builder->points.at[i];
+		double x = swap ? p->y : p->x, y = swap ? p->x : p->y;
+		double q = m[8] * x + m[9] * y + m[10] * p->z + m[11];
+
+		out[i].s = (m[0] * x + m[1] * y + m[2] * p->z + m[3]) / q;
+		out[i].t = (m[4] * x + m[5] * y + m[6] * p->z + m[7]) / q;
+		if (!isfinite(out[i].s) || !isfinite(out[i].t))
+			return "its texture matrix maps it nowhere";
+	}
+	return NULL;
+}
+
+static struct tcs_point
+difference(struct tcs_point a, struct tcs_point b)
+{
+	return (struct tcs_point){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static double
+dot(struct tcs_point a, struct tcs_point b)
+{
+	return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/*
+ * A vertex that a repair added lies in the polygon's plane: its coordinates
+ * follow from the map that three of the ring's vertices, far apart, define.
+ */
+static void
+texcoords_extend(
+	const struct builder *builder, size_t given, struct tcs_texcoord *out)
+{
+	const struct tcs_point *points = builder->points.at;
+	size_t one = 0, two = 0;
+	double best = 0, uu, uv, vv, det;
+	struct tcs_point u, v;
+
+	for (size_t i = 1; i < given; i++) {
+		u = difference(points[i], points[0]);
+		if (dot(u, u) > best) {
+			best = dot(u, u);
+			one = i;
+		}
+	}
+	u = difference(points[one], points[0]);
+	best = 0;
+	for (size_t i = 1; i < given; i++) {
+		v = difference(points[i], points[0]);
+		det = dot(u, u) * dot(v, v) - dot(u, v) * dot(u, v);
+		if (det > best) {
+			best = det;
+			two = i;
+		}
+	}
+	v = difference(points[two], points[0]);
+	uu = dot(u, u), uv = dot(u, v), vv = dot(v, v);
+	det = uu * vv - uv * uv;
+	for (size_t i = given; i < builder->points.count; i++) {
+		struct tcs_point w = difference(points[i], points[0]);
+		double a = 0, b = 0;
+
+		if (det > 0) {
+			a = (dot(w, u) * vv - dot(w, v) * uv) / det;
+			b = (dot(w, v) * uu - dot(w, u) * uv) / det;
+		}
+		out[i].s = out[0].s + a * (out[one].s - out[0].s) +
+			b * (out[two].s - out[0].s);
+		out[i].t = out[0].t + a * (out[one].t - out[0].t) +
+			b * (out[two].t - out[0].t);
+	}
+}
+
+/* One coordinate for every vertex of the polygon; what is wrong, or NULL. */
+static const char *
+texcoords_find(struct builder *builder, const struct raw_object *raw,
+	const struct raw_paint *paint, uint32_t raw_polygon,
+	struct tcs_texcoord *out)
+{
+	const char *problem = "its texture has no coordinates of its own";
+	size_t given = 0;
+
+	for (size_t i = 0; i < builder->ring_sizes.count; i++)
+		given += builder->ring_sizes.at[i];
+	if (paint->mapping == MAPPING_MATRIX)
+		return texcoords_of_matrix(builder,
+			raw->texmatrices.at[paint->matrix].at,
+			raw->polygons.at[raw_polygon].swap, out);
+	if (paint->mapping == MAPPING_LIST)
+		problem = texcoords_of_list(builder, raw, paint, out);
+	if (!problem)
+		texcoords_extend(builder, given, out);
+	return problem;
+}
+
+/* ---- paints of one polygon -------------------------------------------------------------- */
+
+static size_t
+first_paint(const struct builder *builder, uint32_t raw_polygon)
 {
 	size_t low = 0, high = builder->paints.count;
 
@@ -147,27 +249,94 @@ paints_write(const struct builder *builder, const struct raw_object *raw,
 		else
 			high = middle;
 	}
-	for (; low < builder->paints.count &&
-		builder->paints.at[low].polygon == raw_polygon;
-		low++) {
-		const struct build_paint *paint = &builder->paints.at[low];
+	return low;
+}
 
-		tcs_text theme;
-		enum tcs_status status = text_carry(
-			out, &raw->tree, paint->theme, &theme, fault);
+/* A material and a texture of one theme on one side are one paint. */
+static bool
+paint_joins(const struct tcs_object *out, const struct tcs_paint *last,
+	const struct tcs_paint *paint)
+{
+	return last->polygon == paint->polygon && last->flags == paint->flags &&
+		(last->material == TCS_NONE) == (paint->image == TCS_NONE) &&
+		(last->image == TCS_NONE) == (paint->material == TCS_NONE) &&
+		!strcmp(object_text(out, last->theme),
+			object_text(out, paint->theme));
+}
 
-		if (status)
-			return status;
-		if (array_grow(&out->paints, 1))
-			return fault_memory(fault);
-		out->paints.at[out->paints.count++] = (struct tcs_paint){
-			.polygon = polygon,
-			.theme = theme,
-			.material = paint->material,
-			.image = TCS_NONE,
-			.first_texcoord = TCS_NONE,
-			.flags = paint->back ? TCS_PAINT_BACK : 0,
-		};
+static enum tcs_status
+paint_append(struct tcs_object *out, const struct tcs_paint *paint,
+	struct tcs_fault *fault)
+{
+	struct tcs_paint *last = out->paints.count
+		? &out->paints.at[out->paints.count - 1]
+		: NULL;
+
+	if (last && paint_joins(out, last, paint)) {
+		if (last->material == TCS_NONE)
+			last->material = paint->material;
+		if (last->image == TCS_NONE) {
+			last->image = paint->image;
+			last->first_texcoord = paint->first_texcoord;
+		}
+		return TCS_OK;
 	}
+	if (array_grow(&out->paints, 1))
+		return fault_memory(fault);
+	out->paints.at[out->paints.count++] = *paint;
 	return TCS_OK;
+}
+
+static enum tcs_status
+paint_write(struct builder *builder, const struct raw_object *raw,
+	uint32_t raw_polygon, const struct raw_paint *from,
+	struct tcs_object *out, struct report *report, struct tcs_fault *fault)
+{
+	const struct raw_polygon *polygon = &raw->polygons.at[raw_polygon];
+	size_t vertices = builder->points.count;
+	struct tcs_paint paint = {
+		.polygon = (uint32_t)out->polygons.count - 1,
+		.material = from->material,
+		.image = from->image,
+		.first_texcoord = TCS_NONE,
+		.flags = from->back ? TCS_PAINT_BACK : 0,
+	};
+	enum tcs_status status =
+		text_carry(out, &raw->tree, from->theme, &paint.theme, fault);
+	const char *problem;
+
+	if (status || from->image == TCS_NONE)
+		return status ? status : paint_append(out, &paint, fault);
+	if (array_grow(&out->texcoords, vertices))
+		return fault_memory(fault);
+	problem = texcoords_find(builder, raw, from, raw_polygon,
+		out->texcoords.at + out->texcoords.count);
+	if (problem)
+		return raw_report(report, REPORT_SKIPPED, "texture", problem,
+			object_text(&raw->tree, polygon->id), polygon->line,
+			fault);
+	paint.first_texcoord = (uint32_t)out->texcoords.count;
+	out->texcoords.count += vertices;
+	return paint_append(out, &paint, fault);
+}
+
+enum tcs_status
+paints_write(struct builder *builder, const struct raw_object *raw,
+	uint32_t raw_polygon, struct tcs_object *out, struct report *report,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = first_paint(builder, raw_polygon);
+		!status && i < builder->paints.count &&
+		builder->paints.at[i].polygon == raw_polygon;
+		i++) {
+		const struct raw_paint *paint =
+			&raw->paints.at[builder->paints.at[i].paint];
+
+		if (paint->material != TCS_NONE || paint->image != TCS_NONE)
+			status = paint_write(builder, raw, raw_polygon, paint,
+				out, report, fault);
+	}
+	return status;
 }

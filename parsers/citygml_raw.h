@@ -97,12 +97,36 @@ struct raw_instance {
 	bool has_matrix, has_anchor;
 };
 
-/* A material that a theme puts on whatever has this id. */
+/* How texture coordinates are given. */
+enum raw_mapping {
+	MAPPING_NONE, /* a material */
+	MAPPING_LIST, /* ring by ring */
+	MAPPING_MATRIX, /* worldToTexture */
+};
+
+/* Texture coordinates of one ring, as text. */
+struct raw_texring {
+	tcs_text ring; /* its id */
+	size_t first; /* bytes of `positions` */
+	size_t length;
+};
+
+/* What a theme puts on whatever has this id: a material or a texture. */
 struct raw_paint {
 	tcs_text theme;
 	tcs_text target;
-	uint32_t material; /* of the stream's palette */
+	uint32_t material; /* of the stream's palette; TCS_NONE */
+	uint32_t image; /* of the stream's palette; TCS_NONE */
+	uint32_t first_ring; /* MAPPING_LIST: of `texrings` */
+	uint32_t ring_count;
+	uint32_t matrix; /* MAPPING_MATRIX: of `texmatrices` */
+	uint8_t mapping; /* enum raw_mapping */
 	bool back;
+};
+
+/* From (x, y, z, 1), as written, to (s q, t q, q); row by row. */
+struct raw_texmatrix {
+	double at[12];
 };
 
 struct raw_object {
@@ -115,6 +139,8 @@ struct raw_object {
 	TCS_ARRAY(struct raw_geometry) geometries;
 	TCS_ARRAY(struct raw_target) targets;
 	TCS_ARRAY(struct raw_paint) paints;
+	TCS_ARRAY(struct raw_texring) texrings;
+	TCS_ARRAY(struct raw_texmatrix) texmatrices;
 	TCS_ARRAY(struct raw_template) templates;
 	TCS_ARRAY(struct raw_instance) instances;
 	struct report report; /* what the parser left out */

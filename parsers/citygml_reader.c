@@ -159,9 +159,12 @@ gml_srs(struct gml_reader *reader, const char *name, size_t length,
 int
 gml_numbers(const char *at, size_t length, double *out, int want)
 {
-	const char *end = at + length;
+	const char *end;
 	int count = 0;
 
+	if (!length)
+		return 0;
+	end = at + length;
 	while (count < want) {
 		while (at < end && (is_blank(*at) || *at == ','))
 			at++;
@@ -267,6 +270,17 @@ root_start(struct gml_reader *reader, struct name *name,
 		xml_line(reader->xml), name->local);
 }
 
+/* Global appearances are read into an object that is none of the model's. */
+static enum tcs_status
+sheet_open(struct gml_reader *reader, struct tcs_fault *fault)
+{
+	if (!reader->raw)
+		reader->raw = raw_new();
+	if (!reader->raw || array_grow(&reader->raw->positions, 64))
+		return fault_memory(fault);
+	return TCS_OK;
+}
+
 /* A member that is somewhere else: named, never fetched. */
 static enum tcs_status
 member_link(struct gml_reader *reader, const struct xml_attribute *attributes,
@@ -304,6 +318,9 @@ model_child(struct gml_reader *reader, struct name *name,
 			return status;
 		return gml_push(reader, name, ROLE_MEMBER, NULL, fault);
 	case NAME_APPEARANCE_MEMBER:
+		status = sheet_open(reader, fault);
+		if (status)
+			return status;
 		return gml_push(reader, name, ROLE_APPEARANCE, NULL, fault);
 	case NAME_BOUNDED_BY:
 		return gml_push(reader, name, ROLE_BOUNDS, NULL, fault);

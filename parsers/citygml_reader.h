@@ -10,7 +10,7 @@
  *     citygml_attributes.c  what becomes of the text of properties
  *     citygml_geometry.c    GML geometry
  *     citygml_implicit.c    templates and where they are placed
- *     citygml_appearance.c  themes and materials
+ *     citygml_appearance.c  themes, materials and textures
  *
  * Nothing recurses: depth costs one frame, up to `max_depth`.
  */
@@ -24,6 +24,7 @@
 #include "citygml_keys.h"
 #include "citygml_names.h"
 #include "citygml_raw.h"
+#include "citygml_store.h"
 #include "citygml_xml.h"
 #include "srs.h"
 
@@ -70,11 +71,13 @@ struct gml_srs {
 	bool north_first;
 };
 
-/* A paint of a global appearance, before any feature is read. */
-struct gml_paint {
-	char *theme, *target; /* owned */
-	uint32_t material;
-	bool back;
+/* What a texture says, as text, until it is complete. */
+struct texture_text {
+	TCS_ARRAY(char) uri;
+	TCS_ARRAY(char) mime;
+	TCS_ARRAY(char) type;
+	TCS_ARRAY(char) wrap;
+	TCS_ARRAY(char) border;
 };
 
 struct gml_limits {
@@ -120,12 +123,12 @@ struct gml_reader {
 	/* appearance */
 	TCS_ARRAY(char) theme;
 	struct tcs_material material; /* being read */
+	struct texture_text texture; /* being read */
+	bool back; /* the surface data paints backs */
 	uint32_t first_paint; /* its targets start here */
-	bool back;
-	struct tcs_palette palette; /* all materials of the stream so far */
-	size_t palette_taken; /* materials already given to an object */
-	TCS_ARRAY(struct gml_paint) paints; /* of global appearances */
-	TCS_ARRAY(uint32_t) material_slots; /* hash of the palette */
+	struct key_table materials, images; /* of the stream so far */
+	struct tcs_palette palette; /* entries no object has brought yet */
+	struct paint_store store; /* global appearances */
 };
 
 /* Zero is valid for gml_release. Fails with TCS_NO_MEMORY. */
@@ -267,7 +270,7 @@ enum tcs_status appearance_child(struct gml_reader *reader, struct name *name,
 enum tcs_status appearance_end(struct gml_reader *reader, struct frame *frame,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/* Hand the object the materials that no object before it has brought. */
+/* Hand the object the palette entries that no object before it has brought. */
 enum tcs_status appearance_hand_over(
 	struct gml_reader *reader, struct tcs_fault *fault) TCS_CHECKED;
 void appearance_release(struct gml_reader *reader);

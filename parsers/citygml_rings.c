@@ -14,6 +14,27 @@ is_blank(char c)
 	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
 
+int
+numbers_of(const char *at, size_t length, double *out, size_t want)
+{
+	const char *end = at + length;
+	size_t count = 0;
+
+	for (;;) {
+		while (at < end && is_blank(*at))
+			at++;
+		if (at == end)
+			return (int)count;
+		if (count == want)
+			return -1;
+		at = number_parse(at, end, &out[count]);
+		if (!at || (at < end && !is_blank(*at)) ||
+			!isfinite(out[count]))
+			return -1;
+		count++;
+	}
+}
+
 /* All numbers of the text; *bad when something else stands there too. */
 static enum tcs_status
 numbers_read(struct builder *builder, const char *at, size_t length, bool *bad,
