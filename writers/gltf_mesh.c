@@ -11,12 +11,6 @@
 #define BENT_COSINE 0.95
 
 static struct tcs_point
-minus(struct tcs_point a, struct tcs_point b)
-{
-	return (struct tcs_point){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static struct tcs_point
 cross(struct tcs_point a, struct tcs_point b)
 {
 	return (struct tcs_point){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
@@ -76,13 +70,6 @@ fits_float(struct tcs_point p)
 		fabs(p.z) <= FLT_MAX;
 }
 
-/* Positions as the glTF will hold them: what is flat there counts as flat. */
-static struct tcs_point
-round_point(struct tcs_point p)
-{
-	return (struct tcs_point){(float)p.x, (float)p.y, (float)p.z};
-}
-
 static int
 place_polygon(struct mesh *mesh, const struct tcs_object *object,
 	const struct tcs_polygon *polygon, const struct mesh_place *place,
@@ -102,7 +89,8 @@ place_polygon(struct mesh *mesh, const struct tcs_object *object,
 		struct tcs_point p = place_point(place, from[i]);
 
 		*fits = *fits && fits_float(p);
-		mesh->local.at[i] = round_point(p);
+		mesh->local.at[i] =
+			(struct mesh_point){(float)p.x, (float)p.y, (float)p.z};
 		mesh->used.at[i] = TCS_NONE;
 	}
 	mesh->local.count = polygon->vertex_count;
@@ -110,19 +98,29 @@ place_polygon(struct mesh *mesh, const struct tcs_object *object,
 	return 0;
 }
 
-/* Twice the area times the normal; zero for a flat triangle. */
+static struct tcs_point
+between(struct mesh_point from, struct mesh_point to)
+{
+	return (struct tcs_point){(double)to.x - (double)from.x,
+		(double)to.y - (double)from.y, (double)to.z - (double)from.z};
+}
+
+/*
+ * Twice the area times the normal, from positions as the glTF will hold them:
+ * zero for a triangle that is flat there.
+ */
 static struct tcs_point
 triangle_normal(const struct mesh *mesh, const struct tcs_polygon *polygon,
 	const struct tcs_triangle *triangle)
 {
-	const struct tcs_point *local = mesh->local.at;
+	const struct mesh_point *local = mesh->local.at;
 	uint32_t first = polygon->first_vertex;
-	struct tcs_point a = local[triangle->corner[0] - first];
-	struct tcs_point b = local[triangle->corner[1] - first];
-	struct tcs_point c = local[triangle->corner[2] - first];
+	struct mesh_point a = local[triangle->corner[0] - first];
+	struct mesh_point b = local[triangle->corner[1] - first];
+	struct mesh_point c = local[triangle->corner[2] - first];
 
-	return mesh->mirrored ? cross(minus(c, a), minus(b, a))
-			      : cross(minus(b, a), minus(c, a));
+	return mesh->mirrored ? cross(between(a, c), between(a, b))
+			      : cross(between(a, b), between(a, c));
 }
 
 static struct tcs_point
@@ -175,14 +173,14 @@ polygon_shape(const struct mesh *mesh, const struct tcs_polygon *polygon,
 }
 
 static void
-mesh_push_vertex(struct mesh *mesh, struct tcs_point at,
+mesh_push_vertex(struct mesh *mesh, struct mesh_point at,
 	struct tcs_point normal, uint32_t feature, bool with_normal)
 {
 	float *position = mesh->positions.at + mesh->positions.count;
 
-	position[0] = (float)at.x;
-	position[1] = (float)at.y;
-	position[2] = (float)at.z;
+	position[0] = at.x;
+	position[1] = at.y;
+	position[2] = at.z;
 	mesh->positions.count += 3;
 	if (with_normal) {
 		float *to = mesh->normals.at + mesh->normals.count;

@@ -34,6 +34,10 @@ struct mesh_run {
 	uint32_t count;
 };
 
+struct mesh_point {
+	float x, y, z;
+};
+
 TCS_ARRAY_TYPE(mesh_indices, uint32_t);
 TCS_ARRAY_TYPE(mesh_runs, struct mesh_run);
 
@@ -46,7 +50,7 @@ struct mesh {
 	struct mesh_runs runs; /* one per polygon, then one per paint */
 	uint64_t triangle_limit; /* 0: none */
 	uint64_t flat_triangles; /* left out: no area */
-	TCS_ARRAY(struct tcs_point) local; /* scratch: the polygon, metres */
+	TCS_ARRAY(struct mesh_point) local; /* scratch: the polygon, metres */
 	TCS_ARRAY(uint32_t) used; /* scratch: the vertex it became */
 	bool mirrored; /* scratch: the polygon arrived mirror-inverted */
 	struct mesh_indices sorted; /* scratch */

@@ -112,6 +112,23 @@ a_triangle_without_area_is_left_out_and_counted(void)
 	CHECK(mesh.indices.count == 3);
 }
 
+/* Collinear once rounded, not before: flat where it is drawn. */
+static void
+a_triangle_that_floats_flatten_is_left_out(void)
+{
+	static const struct tcs_point nearly[] = {{6.580710678, 6.44, 3.1},
+		{6.570104076, 6.4506066, 3.1}, {6.555961941, 6.46474874, 3.1},
+		{9, 9, 3.1}};
+
+	start();
+	polygon(nearly, 4);
+	for (size_t i = 0; i < 4; i++)
+		object.vertices.at[i] = nearly[i];
+	frame.origin = (struct tcs_point){0, 0, 0};
+	CHECK(add(0, 0, 1) == MESH_DRAWN);
+	CHECK(mesh.indices.count == 3 && mesh.flat_triangles == 1);
+}
+
 static void
 what_does_not_fit_a_float_is_told(void)
 {
@@ -228,6 +245,7 @@ main(void)
 		CHECK_TEST(a_flat_square_has_four_vertices_and_one_normal),
 		CHECK_TEST(a_bent_polygon_is_shaded_triangle_by_triangle),
 		CHECK_TEST(a_triangle_without_area_is_left_out_and_counted),
+		CHECK_TEST(a_triangle_that_floats_flatten_is_left_out),
 		CHECK_TEST(what_does_not_fit_a_float_is_told),
 		CHECK_TEST(runs_are_grouped_by_paint),
 		CHECK_TEST(the_triangle_limit_holds),
