@@ -67,8 +67,7 @@ function* drawn(geometries, place, surfaceOf) {
         continue;
       }
       for (const corners of polygon.triangles ?? []) {
-        const at = corners.map(
-          i => place(polygon.vertices[i]).map(Math.fround));
+        const at = corners.map(i => place(polygon.vertices[i]));
         if (hasArea(at)) {
           yield [surfaceOf(polygon), at];
         }
@@ -223,8 +222,19 @@ const prototypes = [];
 let base = 0;
 let crs;
 
-const toLocal = point => point.map((value, i) => (value - origin[i]) *
-  (i < 2 ? crs.metres_per_unit : crs.metres_per_unit_up));
+const isProjected = () =>
+  crs.kind !== 'geographic' && crs.kind !== 'geocentric';
+
+// Metres of a degree, near enough to tell which triangles are flat.
+const degrees = () => [111320 * Math.cos(origin[1] * Math.PI / 180), 111320];
+
+function toLocal(point) {
+  const [x, y] = crs.kind === 'geographic'
+    ? degrees() : [crs.metres_per_unit, crs.metres_per_unit];
+  const scale = [x, y, crs.metres_per_unit_up];
+  return point.map(
+    (value, i) => Math.fround((value - origin[i]) * scale[i]));
+}
 
 const lines = readline.createInterface(
   {input: fs.createReadStream(streamFile)});
@@ -235,7 +245,7 @@ for await (const line of lines) {
   } else if (record.record === 'prototype') {
     prototypes.push(record);
   } else if (record.record === 'object') {
-    const exact = crs.kind !== 'geographic' && crs.kind !== 'geocentric';
+    const exact = isProjected();
     const where = `object ${counts.objects}`;
     compareRow({...featureRow(record, 0, base), parent: ''},
       rows[0][counts.objects], tables[0].kinds, `${where} in set 0`);
