@@ -207,6 +207,7 @@ main(int argc, char **argv)
 		fprintf(stderr,
 			"tcs2gltf: --format gltf writes two files and "
 			"needs an output name\n");
+		program_end(&command);
 		return EXIT_USAGE;
 	}
 	options.stream.jobs = command.jobs;
