@@ -80,8 +80,8 @@ the_town_says_what_its_stream_says() {
 }
 
 the_town_says_what_its_gml_says() {
-	citygml2tcs -q "$SAMPLES/town-2.0.gml" | tcs2gltf -q -o town.glb
-	node "$node/compare_gml.mjs" "$SAMPLES/town-2.0.gml" town.glb
+	citygml2tcs -q "$SAMPLES/$1.gml" | tcs2gltf -q -o town.glb
+	node "$node/compare_gml.mjs" "$SAMPLES/$1.gml" town.glb
 }
 
 the_town_is_the_same_for_any_number_of_jobs() {
@@ -111,10 +111,10 @@ run_test a_difference_is_found 's/\[500006,/[500006.5,/g'
 run_test a_difference_is_found 's/"class":"RoofSurface"/"class":"WallSurface"/'
 
 if [[ -x $BUILD/bin/citygml2tcs ]]; then
-	run_test the_town_says_what_its_stream_says town-1.0
-	run_test the_town_says_what_its_stream_says town-2.0
-	run_test the_town_says_what_its_stream_says town-3.0
-	run_test the_town_says_what_its_gml_says
+	for version in 1.0 2.0 3.0; do
+		run_test the_town_says_what_its_stream_says town-$version
+		run_test the_town_says_what_its_gml_says town-$version
+	done
 	run_test the_town_is_the_same_for_any_number_of_jobs
 	if [[ -x ${CHROMIUM:=/usr/bin/chromium} ]]; then
 		export CHROMIUM
