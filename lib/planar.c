@@ -22,7 +22,7 @@ dot(struct tcs_point a, struct tcs_point b)
 static double
 largest(struct tcs_point a)
 {
-	return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+	return planar_larger(fabs(a.x), planar_larger(fabs(a.y), fabs(a.z)));
 }
 
 static double
@@ -65,7 +65,7 @@ ring_normal(const struct tcs_point *ring, size_t count, double *reach)
 			most = one;
 			most_size = size;
 		}
-		*reach = fmax(*reach, largest(here));
+		*reach = planar_larger(*reach, largest(here));
 		last = here;
 	}
 	if (largest(all) > 1e-6 * sum)
@@ -90,6 +90,7 @@ plane_axes(struct planar_plane *plane)
 	plane->axes[0] = (unsigned char)(up ? next : after);
 	plane->axes[1] = (unsigned char)(up ? after : next);
 	plane->axes[2] = (unsigned char)third;
+	plane->cosine = fabs(axis_get(n, third));
 	plane->slope_x = -axis_get(n, plane->axes[0]) / axis_get(n, third);
 	plane->slope_y = -axis_get(n, plane->axes[1]) / axis_get(n, third);
 }
@@ -137,7 +138,7 @@ plane_level(struct planar_plane *plane, const struct tcs_point *vertices,
 	}
 	mean = sum / (double)outer;
 	plane->height = mean / axis_get(plane->normal, plane->axes[2]);
-	return fmax(high - mean, mean - low);
+	return planar_larger(high - mean, mean - low);
 }
 
 const char *
@@ -206,7 +207,7 @@ points_project(
 		high.y = at.y > high.y ? at.y : high.y;
 	}
 	polygon->points.count = count;
-	polygon->extent = fmax(high.x - low.x, high.y - low.y);
+	polygon->extent = planar_larger(high.x - low.x, high.y - low.y);
 }
 
 static bool
@@ -293,11 +294,11 @@ room_make(struct planar *polygon, size_t count, size_t ring_count)
 	polygon->previous.count = 0;
 	polygon->kept.count = 0;
 	polygon->firsts.count = 0;
-	if (count > UINT32_MAX / 4 || array_grow(&polygon->points, count) ||
-		array_grow(&polygon->next, count) ||
-		array_grow(&polygon->previous, count) ||
-		array_grow(&polygon->kept, count) ||
-		array_grow(&polygon->firsts, ring_count))
+	if (count > UINT32_MAX / 4 || planar_room(&polygon->points, count) ||
+		planar_room(&polygon->next, count) ||
+		planar_room(&polygon->previous, count) ||
+		planar_room(&polygon->kept, count) ||
+		planar_room(&polygon->firsts, ring_count))
 		return TCS_NO_MEMORY;
 	return TCS_OK;
 }

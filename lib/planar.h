@@ -26,6 +26,7 @@ struct planar_plane {
 	unsigned char axes[3]; /* 0 to 2: that of x, of y, the third */
 	double height;
 	double slope_x, slope_y;
+	double cosine; /* between the normal and the third axis */
 	double noise; /* the area that rounded coordinates may feign */
 };
 
@@ -48,6 +49,17 @@ struct planar {
 
 TCS_ARRAY_TYPE(triangle_list, struct tcs_triangle);
 TCS_ARRAY_TYPE(point_list, struct tcs_point);
+
+/* Room for so many elements in an array that is empty. */
+#define planar_room(array, count) \
+	((array)->room < (count) && array_grow((array), (count)))
+
+/* fmax for numbers, without its call. */
+static inline double
+planar_larger(double a, double b)
+{
+	return a > b ? a : b;
+}
 
 /*
  * Twice the signed area of a triangle, positive when it is counterclockwise.

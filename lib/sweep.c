@@ -320,11 +320,11 @@ sweep_begin(struct sweep *sweep, const struct planar *polygon,
 	sweep->edge_interval.count = 0;
 	sweep->links.count = 0;
 	sweep->area = 0;
-	if (array_grow(&sweep->events, count) ||
-		array_grow(&sweep->sorted, count) ||
-		array_grow(&sweep->edge_interval, polygon->points.count) ||
-		array_grow(&sweep->links, 3 * count + 1) ||
-		array_grow(out, 3 * count))
+	if (planar_room(&sweep->events, count) ||
+		planar_room(&sweep->sorted, count) ||
+		planar_room(&sweep->edge_interval, polygon->points.count) ||
+		planar_room(&sweep->links, 3 * count + 1) ||
+		planar_room(out, 3 * count))
 		return fault_memory(fault);
 	for (size_t i = 0; i < count; i++) {
 		uint32_t vertex = polygon->kept.at[i];

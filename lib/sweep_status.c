@@ -5,7 +5,7 @@ status_begin(struct sweep_status *status, size_t most, struct tcs_fault *fault)
 {
 	status->intervals.count = 0;
 	status->root = 0;
-	if (array_grow(&status->intervals, most + 1))
+	if (planar_room(&status->intervals, most + 1))
 		return fault_memory(fault);
 	status->intervals.at[0] = (struct sweep_interval){0};
 	status->intervals.count = 1;

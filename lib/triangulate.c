@@ -49,15 +49,13 @@ end_full(const struct triangulator *t, double area, double flatness,
 	struct triangulation *out)
 {
 	const struct planar_plane *plane = &t->polygon.plane;
-	double cosine = fmax(fabs(plane->normal.x),
-		fmax(fabs(plane->normal.y), fabs(plane->normal.z)));
 
 	*out = (struct triangulation){.triangles = t->triangles.at,
 		.triangle_count = t->triangles.count,
 		.extra = t->extra.at,
 		.extra_count = t->extra.count,
 		.outcome = TRIANGULATION_WHOLE,
-		.area = area / cosine,
+		.area = area / plane->cosine,
 		.normal = plane->normal,
 		.flatness = flatness};
 	return TCS_OK;
@@ -265,7 +263,7 @@ triangulate(struct triangulator *t, const struct tcs_point *vertices,
 
 	t->triangles.count = 0;
 	t->extra.count = 0;
-	if (array_grow(&t->triangles, 2))
+	if (planar_room(&t->triangles, 2))
 		return fault_memory(fault);
 	reason = planar_find(
 		&t->polygon.plane, vertices, outer, count, &flatness);

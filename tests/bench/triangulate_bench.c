@@ -231,10 +231,10 @@ compare(const void *a, const void *b)
 }
 
 static double
-median(double *times)
+median(double *times, int count)
 {
-	qsort(times, ROUNDS, sizeof *times, compare);
-	return times[ROUNDS / 2];
+	qsort(times, (size_t)count, sizeof *times, compare);
+	return times[count / 2];
 }
 
 static void
@@ -245,6 +245,7 @@ sample_measure(struct sample *sample)
 	struct glu_run run = {.vertices = NULL};
 	double ours[ROUNDS], glus[ROUNDS];
 	size_t triangles = 0, glu_triangles = 0;
+	int rounds = 0;
 
 	if (!triangulator || !tessellator)
 		die("out of memory");
@@ -252,19 +253,19 @@ sample_measure(struct sample *sample)
 		tessellator, GLU_TESS_VERTEX_DATA, (_GLUfuncptr)glu_vertex);
 	gluTessCallback(tessellator, GLU_TESS_EDGE_FLAG_DATA,
 		(_GLUfuncptr)glu_edge_flag);
-	for (int i = 0; i < ROUNDS; i++) {
+	for (; rounds < ROUNDS && (!rounds || glus[0] < 0.5); rounds++) {
 		double begin = cpu_seconds(), middle;
 
 		triangles = run_ours(sample, triangulator);
 		middle = cpu_seconds();
 		glu_triangles = run_glu(sample, tessellator, &run);
-		ours[i] = middle - begin;
-		glus[i] = cpu_seconds() - middle;
+		ours[rounds] = middle - begin;
+		glus[rounds] = cpu_seconds() - middle;
 	}
 	printf("%-34s %8.2f %8.2f %12zu %10.4f\n", sample->name,
-		1e-6 * (double)triangles / median(ours),
-		1e-6 * (double)glu_triangles / median(glus), triangles,
-		median(ours));
+		1e-6 * (double)triangles / median(ours, rounds),
+		1e-6 * (double)glu_triangles / median(glus, rounds), triangles,
+		median(ours, rounds));
 	array_release(&run.corners);
 	gluDeleteTess(tessellator);
 	triangulator_free(triangulator);
