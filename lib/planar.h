@@ -16,6 +16,8 @@ struct planar_point {
 	double x, y;
 };
 
+TCS_ARRAY_TYPE(planar_points, struct planar_point);
+
 /*
  * How the plane lies in space. A point of the plane is origin plus x and y
  * along two of the axes and, along the third, `height` plus the slopes.
@@ -37,7 +39,7 @@ struct planar_plane {
  * points. Edge i leads from vertex i to next[i].
  */
 struct planar {
-	TCS_ARRAY(struct planar_point) points; /* of every vertex as given */
+	struct planar_points points; /* of every vertex as given */
 	TCS_ARRAY(uint32_t) next; /* by vertex */
 	TCS_ARRAY(uint32_t) previous;
 	TCS_ARRAY(uint32_t) kept; /* the vertices in cycles, ring by ring */
@@ -121,6 +123,14 @@ struct planar_point planar_project(
 const char *planar_lay(struct planar *polygon, const struct tcs_point *vertices,
 	const uint32_t *rings, size_t ring_count, size_t count,
 	enum tcs_status *status);
+
+/*
+ * The points moved by so much out of the polygon, or into it where `by` is
+ * negative: rings that only touch then touch no more. Those of no cycle are
+ * left unset. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status planar_nudge(const struct planar *polygon, double by,
+	struct planar_points *out, struct tcs_fault *fault) TCS_CHECKED;
 
 /*
  * Whether more than so many pairs of edges overlap in x, or cross or touch:

@@ -9,6 +9,7 @@
 
 struct triangulator {
 	struct planar polygon;
+	struct planar_points nudged;
 	struct sweep sweep;
 	struct triangle_list triangles;
 	struct point_list extra;
@@ -29,6 +30,7 @@ triangulator_free(struct triangulator *triangulator)
 	if (!triangulator)
 		return;
 	planar_release(&triangulator->polygon);
+	array_release(&triangulator->nudged);
 	sweep_release(&triangulator->sweep);
 	array_release(&triangulator->triangles);
 	array_release(&triangulator->extra);
@@ -84,14 +86,12 @@ same_area(const struct triangulator *t, double a, double b)
 	return fabs(a - b) <= ROUNDING * extent * extent;
 }
 
-/* What a repair may cost: a second or so of one core. */
-enum { MOST_PAIRS = 100000000, MOST_CROSSINGS = 1000 };
 /* Up to here the odd–even area is cheap. */
 enum { FEW_VERTICES = 256 };
 
 /* Where that is cheap, ask whether the area is the odd–even one. */
 static enum tcs_status
-repair_check(const struct triangulator *t, double *area, bool *sound,
+area_check(const struct triangulator *t, double *area, bool *sound,
 	struct tcs_fault *fault)
 {
 	enum tcs_status status;
@@ -103,6 +103,73 @@ repair_check(const struct triangulator *t, double *area, bool *sound,
 	status = slabs_area(&t->polygon, &expected, fault);
 	*sound = !status && same_area(t, *area, expected);
 	return status;
+}
+
+/* ---- rings that touch ------------------------------------------------------------ */
+
+/* Keep the triangles that have an area; false if others are turned over. */
+static bool
+slivers_drop(struct triangulator *t)
+{
+	const struct planar_point *points = t->polygon.points.at;
+	struct tcs_triangle *triangles = t->triangles.at;
+	double over = 0;
+	size_t kept = 0;
+
+	for (size_t i = 0; i < t->triangles.count; i++) {
+		const uint32_t *corner = triangles[i].corner;
+		double one = planar_orient(points[corner[0]], points[corner[1]],
+			points[corner[2]]);
+
+		if (one > 0)
+			triangles[kept++] = triangles[i];
+		else
+			over -= one / 2;
+	}
+	t->triangles.count = kept;
+	return same_area(t, over, 0);
+}
+
+/*
+ * Sweep over points moved a little, so that what touches is apart. With the
+ * points where they were, the triangles between have no area.
+ */
+static enum tcs_status
+touching_try(struct triangulator *t, double by, double *area, bool *fits,
+	struct tcs_fault *fault)
+{
+	struct planar_points given = t->polygon.points;
+	enum tcs_status status;
+
+	t->triangles.count = 0;
+	status = planar_nudge(&t->polygon, by, &t->nudged, fault);
+	if (status)
+		return status;
+	t->polygon.points = t->nudged;
+	status = sweep_run(&t->sweep, &t->polygon, &t->triangles, fits, fault);
+	t->polygon.points = given;
+	if (status || !*fits)
+		return status;
+	*fits = slivers_drop(t) && same_area(t, area_of(t), t->polygon.area);
+	return area_check(t, area, fits, fault);
+}
+
+/* ---- rings that cross ------------------------------------------------------------- */
+
+/*
+ * What a repair may cost: a few seconds of one core. GLU walks along a ring for
+ * every edge that it adds, and down a list of edges for every vertex at which
+ * the sweep meets new ones.
+ */
+enum { MOST_VERTICES = 20000, MOST_PAIRS = 100000000 };
+
+static uint64_t
+most_crossings(size_t vertices)
+{
+	uint64_t by_count = 1000 + 20 * (uint64_t)vertices;
+	uint64_t by_time = 1000000000 / (uint64_t)vertices;
+
+	return by_count < by_time ? by_count : by_time;
 }
 
 enum { TRIES = 4 };
@@ -145,32 +212,58 @@ repair_tries(struct triangulator *t, const struct tcs_point *vertices,
 		t->extra.count = 0;
 		status = repair_try(t, vertices, try, sound, fault);
 		if (!status)
-			status = repair_check(t, area, sound, fault);
+			status = area_check(t, area, sound, fault);
 	}
 	return status;
 }
 
 static enum tcs_status
-repair(struct triangulator *t, double flatness, struct triangulation *out,
-	const struct tcs_point *vertices, struct tcs_fault *fault)
+repair(struct triangulator *t, const struct tcs_point *vertices, double *area,
+	const char **reason, struct tcs_fault *fault)
 {
-	double area = 0;
+	size_t count = t->polygon.kept.count;
 	enum tcs_status status;
 	bool tangled, sound;
 
-	status = planar_tangle(&t->polygon, MOST_PAIRS,
-		t->polygon.kept.count + MOST_CROSSINGS, &tangled, fault);
+	if (count > MOST_VERTICES) {
+		*reason = "rings cross and are too long to repair";
+		return TCS_OK;
+	}
+	status = planar_tangle(&t->polygon, MOST_PAIRS, most_crossings(count),
+		&tangled, fault);
 	if (status)
 		return status;
-	if (tangled)
-		return end_empty(out, "rings too tangled to repair");
-	status = repair_tries(t, vertices, &area, &sound, fault);
+	if (tangled) {
+		*reason = "rings too tangled to repair";
+		return TCS_OK;
+	}
+	status = repair_tries(t, vertices, area, &sound, fault);
+	if (!status && !sound)
+		*reason = "rings could not be repaired";
+	return status;
+}
+
+/* What is not simple: it touches itself, or worse. */
+static enum tcs_status
+mend(struct triangulator *t, const struct tcs_point *vertices, double flatness,
+	struct triangulation *out, struct tcs_fault *fault)
+{
+	double by = ldexp(t->polygon.extent, -32), area = 0;
+	const char *reason = NULL;
+	enum tcs_status status;
+	bool fits;
+
+	status = touching_try(t, by, &area, &fits, fault);
+	if (!status && !fits)
+		status = touching_try(t, -by, &area, &fits, fault);
+	if (!status && !fits)
+		status = repair(t, vertices, &area, &reason, fault);
 	if (status)
 		return status;
-	if (!sound)
-		return end_empty(out, "rings could not be repaired");
-	if (area <= t->polygon.plane.noise)
-		return end_empty(out, "no area inside the rings");
+	if (!reason && area <= t->polygon.plane.noise)
+		reason = "no area inside the rings";
+	if (reason)
+		return end_empty(out, reason);
 	status = end_full(t, area, flatness, out);
 	if (t->extra.count || !same_area(t, area, t->polygon.area)) {
 		out->outcome = TRIANGULATION_REPAIRED;
@@ -179,6 +272,8 @@ repair(struct triangulator *t, double flatness, struct triangulation *out,
 	}
 	return status;
 }
+
+/* ---- the ordinary polygon -------------------------------------------------------- */
 
 static size_t
 vertices_count(const uint32_t *rings, size_t ring_count)
@@ -286,6 +381,5 @@ triangulate(struct triangulator *t, const struct tcs_point *vertices,
 		return status;
 	if (simple && same_area(t, t->sweep.area / 2, t->polygon.area))
 		return end_full(t, t->sweep.area / 2, flatness, out);
-	t->triangles.count = 0;
-	return repair(t, flatness, out, vertices, fault);
+	return mend(t, vertices, flatness, out, fault);
 }

@@ -8,7 +8,12 @@
  * vertices and all of its area, whatever its plane and the winding of its
  * holes. A polygon that breaks the rules (rings that cross themselves or each
  * other, spikes, holes outside) is repaired by the odd–even rule, which may
- * add vertices, or is empty, with a reason.
+ * add vertices, or is empty, with a reason. Rings that only touch keep their
+ * vertices and their area and count as whole.
+ *
+ * Whole polygons take n log n steps. A repair is slower and refused beyond
+ * 20,000 vertices or where edges cross too often, so that none takes longer
+ * than a few seconds.
  */
 #ifndef TESSERA_TRIANGULATE_H
 #define TESSERA_TRIANGULATE_H
@@ -22,7 +27,7 @@
 struct triangulator; /* scratch memory; one per thread, reused */
 
 enum triangulation_outcome {
-	TRIANGULATION_WHOLE, /* own vertices, exact area */
+	TRIANGULATION_WHOLE, /* own vertices, outer minus holes */
 	TRIANGULATION_REPAIRED, /* by the odd–even rule; see `reason` */
 	TRIANGULATION_EMPTY, /* no area is left; see `reason` */
 };
