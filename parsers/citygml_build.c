@@ -56,19 +56,20 @@ struct build {
 
 /* ---- attributes in the order of their features ------------------------------- */
 
-/* A stable counting sort; sets stay before their members. */
+/* A stable counting sort; sets stay before their members. What belongs to no
+ * feature is dropped. */
 static enum tcs_status
 attributes_sort(struct builder *builder, struct tcs_object *tree,
 	struct tcs_fault *fault)
 {
 	size_t features = tree->features.count;
 	size_t count = tree->attributes.count;
+	struct tcs_attribute *from = tree->attributes.at;
 	uint32_t *starts, *places;
-	bool sorted = true;
+	bool sorted = !count || from[count - 1].feature != TCS_NONE;
 
 	for (size_t i = 1; i < count; i++)
-		sorted &= tree->attributes.at[i - 1].feature <=
-			tree->attributes.at[i].feature;
+		sorted &= from[i - 1].feature <= from[i].feature;
 	if (sorted)
 		return TCS_OK;
 	array_clear(&builder->order);
@@ -80,20 +81,26 @@ attributes_sort(struct builder *builder, struct tcs_object *tree,
 	places = starts + features + 1;
 	memset(starts, 0, (features + 1) * sizeof *starts);
 	for (size_t i = 0; i < count; i++)
-		starts[tree->attributes.at[i].feature + 1]++;
+		if (from[i].feature != TCS_NONE)
+			starts[from[i].feature + 1]++;
 	for (size_t i = 0; i < features; i++)
 		starts[i + 1] += starts[i];
+	tree->attributes.count = starts[features];
 	for (size_t i = 0; i < count; i++)
-		places[i] = starts[tree->attributes.at[i].feature]++;
+		if (from[i].feature != TCS_NONE)
+			places[i] = starts[from[i].feature]++;
 	for (size_t i = 0; i < count; i++) {
-		struct tcs_attribute *to = &builder->attributes.at[places[i]];
+		struct tcs_attribute *to;
 
-		*to = tree->attributes.at[i];
+		if (from[i].feature == TCS_NONE)
+			continue;
+		to = &builder->attributes.at[places[i]];
+		*to = from[i];
 		if (to->parent != TCS_NONE)
 			to->parent = places[to->parent];
 	}
-	memcpy(tree->attributes.at, builder->attributes.at,
-		count * sizeof *tree->attributes.at);
+	memcpy(from, builder->attributes.at,
+		tree->attributes.count * sizeof *from);
 	return TCS_OK;
 }
 

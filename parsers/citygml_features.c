@@ -89,6 +89,46 @@ feature_begin(struct gml_reader *reader, struct name *name,
 	return TCS_OK;
 }
 
+/* Whether an element of an extension is an object: they are capitalised. */
+static bool
+is_foreign_object(const struct frame *frame)
+{
+	return frame->role == ROLE_ATTRIBUTE &&
+		frame->name->space == SPACE_OTHER &&
+		(frame->id ||
+			(*frame->name->local >= 'A' &&
+				*frame->name->local <= 'Z'));
+}
+
+/*
+ * What was an attribute set becomes a feature: its members become attributes
+ * of that, and the set itself goes (to no feature, which the sorting drops),
+ * with the property around it if that holds nothing else.
+ */
+static void
+attributes_move(struct gml_reader *reader, struct frame *frame,
+	struct frame *property, uint32_t feature)
+{
+	struct tcs_object *tree = &reader->raw->tree;
+	uint32_t set = frame->attribute;
+
+	if (set == TCS_NONE)
+		return;
+	for (size_t i = set + 1u; i < tree->attributes.count; i++) {
+		struct tcs_attribute *member = &tree->attributes.at[i];
+
+		if (member->feature == frame->feature)
+			member->feature = feature;
+		if (member->parent == set)
+			member->parent = TCS_NONE;
+	}
+	tree->attributes.at[set].feature = TCS_NONE;
+	if (property->attribute != TCS_NONE && property->attribute + 1 == set) {
+		tree->attributes.at[property->attribute].feature = TCS_NONE;
+		property->attribute = TCS_NONE;
+	}
+}
+
 /*
  * An element of an extension that holds geometry is a feature of its own:
  * turn the innermost one below the property into one.
@@ -102,18 +142,17 @@ feature_promote(struct gml_reader *reader, struct tcs_fault *fault)
 	uint32_t feature;
 
 	while (i > 0 && attribute_may_come_of(&reader->frames.at[i]) &&
-		!(reader->frames.at[i].role == ROLE_ATTRIBUTE &&
-			reader->frames.at[i].name->space == SPACE_OTHER &&
-			reader->frames.at[i].id))
+		!is_foreign_object(&reader->frames.at[i]))
 		i--;
 	frame = &reader->frames.at[i];
 	if (!attribute_may_come_of(frame))
 		return TCS_OK;
 	status = feature_add(reader, frame->name, NULL, frame->feature,
-		reader->frames.at[i - 1].name, &feature, fault);
+		frame[-1].name, &feature, fault);
 	if (status)
 		return status;
 	reader->raw->tree.features.at[feature].id = frame->id;
+	attributes_move(reader, frame, frame - 1, feature);
 	frame->role = ROLE_FEATURE;
 	for (size_t j = i; j < reader->frames.count; j++) {
 		reader->frames.at[j].feature = feature;

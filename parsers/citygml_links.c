@@ -206,7 +206,8 @@ relief_lods_find(struct link_work *work, const struct raw_object *raw)
 	for (size_t i = 0; i < tree->attributes.count; i++) {
 		const struct tcs_attribute *attribute = &tree->attributes.at[i];
 
-		if (attribute->number >= 0 && attribute->number <= 4 &&
+		if (attribute->feature != TCS_NONE && attribute->number >= 0 &&
+			attribute->number <= 4 &&
 			!strcmp(object_text(tree, attribute->name), "lod"))
 			work->heads.at[attribute->feature] =
 				(uint32_t)attribute->number;

@@ -258,7 +258,7 @@ class_of(const struct names *names, const struct name *name)
 	int other = names->version == 3 ? 2 : 3;
 	enum tcs_class class;
 
-	if (!space_fits(name->space, SPACE_CITYGML))
+	if (name->space == SPACE_GML || name->space == SPACE_XAL)
 		return TCS_CLASS_Unknown;
 	class = label_find_citygml(names->version, name->local, name->length);
 	if (class == TCS_CLASS_Unknown)
@@ -293,7 +293,7 @@ name_understand(const struct names *names, struct name *name)
 	name->attribute = attribute_type_of(name);
 	name->lod = lod_of(name->local);
 	name->class = class_of(names, name);
-	if (name->class != TCS_CLASS_Unknown) {
+	if (name->class != TCS_CLASS_Unknown && name->space != SPACE_OTHER) {
 		name->kind = NAME_FEATURE;
 	} else if (row) {
 		name->kind = row->kind;

@@ -89,7 +89,8 @@ struct name {
 	size_t length; /* of local */
 	enum name_space space;
 	enum name_kind kind;
-	enum tcs_class class; /* NAME_FEATURE */
+	enum tcs_class class; /* of NAME_FEATURE, and of an extension's element
+	                         that is called like a class */
 	uint8_t geometry; /* enum tcs_geometry_kind of NAME_AGGREGATE */
 	uint8_t attribute; /* enum tcs_attribute_type this name usually has */
 	uint8_t lod; /* of "lod2Solid"; TCS_LOD_NONE */
