@@ -6,10 +6,10 @@
  * every triangle winds as the outer ring does, and the areas add up to outer
  * minus holes. An ordinary polygon (simple rings, holes inside) uses its own
  * vertices and all of its area, whatever its plane and the winding of its
- * holes. A polygon that breaks the rules (rings that cross themselves or each
- * other, spikes, holes outside) is repaired by the odd–even rule, which may
- * add vertices, or is empty, with a reason. Rings that only touch keep their
- * vertices and their area and count as whole.
+ * holes. So does one whose rings only touch, or run out and back along one
+ * line. A polygon that breaks the rules (rings that cross themselves or each
+ * other, holes outside) is repaired by the odd–even rule, which may add
+ * vertices, or is empty, with a reason.
  *
  * Whole polygons take n log n steps. A repair is slower and refused beyond
  * 20,000 vertices or where edges cross too often, so that none takes longer
