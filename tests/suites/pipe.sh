@@ -128,7 +128,7 @@ a_killed_parser_fails_the_writer() {
 	head -c 500000 "$town" >&9 &
 	(
 		sleep 0.3
-		kill -KILL $parser
+		kill -KILL "$parser"
 	) &
 	status_is 1 tcs2gltf -q -o out.glb <joint 2>err
 	exec 9>&-
@@ -145,8 +145,8 @@ a_writer_that_is_ended_leaves_nothing() {
 	exec 9>joint
 	citygml2tcs -q "$town" | head -c 500000 >&9 || :
 	sleep 0.2
-	kill "-$signal" $writer
-	wait $writer || status=$?
+	kill "-$signal" "$writer"
+	wait "$writer" || status=$?
 	exec 9>&-
 	is "$status" $((128 + $(kill -l "$signal")))
 	rm joint
