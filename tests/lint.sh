@@ -85,9 +85,11 @@ options_of_help() {
 	grep -oE '^  ( *-[A-Za-z],)? *--[a-z0-9-]+' | tr -d ' ' | sort -u
 }
 
-# ".It Fl o , Fl -output Ar FILE" is "-o,--output".
+# ".It Fl o , Fl -output Ar FILE" is "-o,--output", and ".It Fl -help , Fl
+# -version" is two options.
 options_of_page() {
 	sed -n -E 's/^\.It Fl (.) , Fl -([a-z0-9-]+).*/-\1,--\2/p
+		s/^\.It Fl -([a-z0-9-]+) , Fl -([a-z0-9-]+).*/--\1\n--\2/p; t
 		s/^\.It Fl -([a-z0-9-]+).*/--\1/p' "$1" | sort -u
 }
 

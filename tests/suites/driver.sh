@@ -71,7 +71,7 @@ END
 
 the_last_fails_while_the_first_writes_on() {
 	stage citygml2tcs <<'END'
-yes
+exec yes
 END
 	stage tcs2gltf <<'END'
 head -c 100 >/dev/null

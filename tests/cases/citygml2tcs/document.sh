@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2034 # the cases use what is set here
 # Sourced by the cases of citygml2tcs: the parts of small documents.
 
 # model [BODY]: a CityGML 2.0 document around BODY or standard input.
