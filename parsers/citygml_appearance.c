@@ -415,15 +415,12 @@ surface_data_begin(struct gml_reader *reader, const struct name *name)
 /* Where its image lies says a file beside the image, or numbers that need the
  * image's size. */
 static enum tcs_status
-georeferenced_skip(
-	struct gml_reader *reader, struct name *name, struct tcs_fault *fault)
+georeferenced_skip(struct gml_reader *reader, struct tcs_fault *fault)
 {
 	enum tcs_status status = gml_skipped(reader, "texture",
 		"georeferenced ones are not read", NULL, fault);
 
-	if (status)
-		return status;
-	return gml_push(reader, name, ROLE_SKIP, NULL, fault);
+	return status ? status : gml_skip(reader);
 }
 
 enum tcs_status
@@ -436,7 +433,7 @@ appearance_child(struct gml_reader *reader, struct name *name,
 
 	if (name->kind == NAME_TEXTURE &&
 		!strcmp(name->local, "GeoreferencedTexture"))
-		return georeferenced_skip(reader, name, fault);
+		return georeferenced_skip(reader, fault);
 	status = gml_push(reader, name, ROLE_APPEARANCE, &frame, fault);
 	if (status)
 		return status;

@@ -296,7 +296,7 @@ skip_unknown(
 
 	if (status)
 		return status;
-	return gml_push(reader, name, ROLE_SKIP, NULL, fault);
+	return gml_skip(reader);
 }
 
 enum tcs_status
@@ -313,7 +313,7 @@ geometry_child(struct gml_reader *reader, struct name *name,
 		name->kind == NAME_SURFACE_UNKNOWN)
 		return skip_unknown(reader, name, fault);
 	if (name->kind == NAME_TEXTURE || name->kind == NAME_MATERIAL)
-		return gml_push(reader, name, ROLE_SKIP, NULL, fault);
+		return gml_skip(reader);
 	status = gml_push(reader, name, ROLE_GEOMETRY, &frame, fault);
 	if (!status)
 		status = take_attributes(

@@ -42,10 +42,11 @@ gml_push(struct gml_reader *reader, struct name *name, enum frame_role role,
 	return TCS_OK;
 }
 
-static enum tcs_status
-gml_skip(struct gml_reader *reader, struct name *name, struct tcs_fault *fault)
+enum tcs_status
+gml_skip(struct gml_reader *reader)
 {
-	return gml_push(reader, name, ROLE_SKIP, NULL, fault);
+	reader->skip = true;
+	return TCS_OK;
 }
 
 /* ---- what the other files share ----------------------------------------- */
@@ -262,7 +263,7 @@ root_start(struct gml_reader *reader, struct name *name,
 	if (name->kind == NAME_CITY_MODEL)
 		return gml_push(reader, name, ROLE_MODEL, NULL, fault);
 	if (name->kind == NAME_FEATURE && reader->pass == PASS_APPEARANCES)
-		return gml_skip(reader, name, fault);
+		return gml_skip(reader);
 	if (name->kind == NAME_FEATURE)
 		return feature_begin(reader, name, attributes, count, fault);
 	return fault_set(fault, TCS_BAD_INPUT, TCS_NOWHERE,
@@ -310,7 +311,7 @@ model_child(struct gml_reader *reader, struct name *name,
 	enum tcs_status status;
 
 	if (!wanted)
-		return gml_skip(reader, name, fault);
+		return gml_skip(reader);
 	switch (name->kind) {
 	case NAME_MEMBER:
 		status = member_link(reader, attributes, count, fault);
@@ -325,7 +326,7 @@ model_child(struct gml_reader *reader, struct name *name,
 	case NAME_BOUNDED_BY:
 		return gml_push(reader, name, ROLE_BOUNDS, NULL, fault);
 	default:
-		return gml_skip(reader, name, fault);
+		return gml_skip(reader);
 	}
 }
 
@@ -335,18 +336,17 @@ member_child(struct gml_reader *reader, struct name *name,
 	struct tcs_fault *fault)
 {
 	if (name->kind == NAME_APPEARANCE)
-		return gml_skip(reader, name, fault);
+		return gml_skip(reader);
 	return feature_begin(reader, name, attributes, count, fault);
 }
 
 /* ---- events ---------------------------------------------------------------- */
 
 static enum tcs_status
-gml_start(void *context, struct name *name,
+element_start(struct gml_reader *reader, struct name *name,
 	const struct xml_attribute *attributes, size_t count,
 	struct tcs_fault *fault)
 {
-	struct gml_reader *reader = context;
 	struct frame *top = gml_top(reader);
 
 	if (reader->frames.count > reader->limits.max_depth)
@@ -376,10 +376,23 @@ gml_start(void *context, struct name *name,
 	case ROLE_APPEARANCE:
 		return appearance_child(reader, name, attributes, count, fault);
 	case ROLE_GENERIC_PART:
-	case ROLE_SKIP:
 		break;
 	}
-	return gml_skip(reader, name, fault);
+	return gml_skip(reader);
+}
+
+static enum tcs_status
+gml_start(void *context, struct name *name,
+	const struct xml_attribute *attributes, size_t count, bool *skip,
+	struct tcs_fault *fault)
+{
+	struct gml_reader *reader = context;
+	enum tcs_status status;
+
+	reader->skip = false;
+	status = element_start(reader, name, attributes, count, fault);
+	*skip = reader->skip;
+	return status;
 }
 
 static enum tcs_status
@@ -426,7 +439,6 @@ gml_end_element(void *context, struct tcs_fault *fault)
 	case ROLE_DOCUMENT:
 	case ROLE_MODEL:
 	case ROLE_MEMBER:
-	case ROLE_SKIP:
 		break;
 	}
 	return TCS_OK;

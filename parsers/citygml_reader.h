@@ -41,7 +41,6 @@ enum frame_role {
 	ROLE_GEOMETRY, /* see geometry_child */
 	ROLE_IMPLICIT, /* an ImplicitGeometry and below, see implicit_child */
 	ROLE_APPEARANCE, /* see appearance_child */
-	ROLE_SKIP, /* nothing below is read */
 };
 
 struct frame {
@@ -97,6 +96,8 @@ struct gml_reader {
 	enum gml_pass pass;
 	TCS_ARRAY(struct frame) frames;
 	TCS_ARRAY(char) text; /* of the innermost element */
+
+	bool skip; /* the element that begins is not read, nor any below */
 
 	struct raw_object *raw; /* being filled; NULL between objects */
 	struct raw_object *ready, **ready_end; /* complete ones, in order */
@@ -161,6 +162,9 @@ struct frame *gml_top(struct gml_reader *reader);
 enum tcs_status gml_push(struct gml_reader *reader, struct name *name,
 	enum frame_role role, struct frame **out,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Do not read the element that begins, nor anything below it. */
+enum tcs_status gml_skip(struct gml_reader *reader);
 
 /* The text of the innermost element without white space around it. */
 void gml_trimmed(

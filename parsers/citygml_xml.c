@@ -17,6 +17,7 @@ struct xml_parser {
 	struct tcs_fault fault; /* the first failure */
 	enum tcs_status status;
 	bool began; /* the root element has been seen */
+	unsigned skipped; /* open elements of a subtree that is skipped */
 };
 
 static void
@@ -52,7 +53,7 @@ static enum tcs_status
 xml_take_attributes(
 	struct xml_parser *parser, int count, const xmlChar **attributes)
 {
-	array_clear(&parser->attributes);
+	parser->attributes.count = 0;
 	if (array_grow(&parser->attributes, (size_t)count))
 		return fault_memory(&parser->fault);
 	for (int i = 0; i < count; i++) {
@@ -78,10 +79,15 @@ xml_start(void *user, const xmlChar *local, const xmlChar *prefix,
 	struct xml_parser *parser = user;
 	enum tcs_status status;
 	struct name *name;
+	bool skip = false;
 
 	(void)defaulted;
 	if (parser->status)
 		return;
+	if (parser->skipped) {
+		parser->skipped++;
+		return;
+	}
 	if (!parser->began)
 		xml_find_version(parser, uri, namespace_count, namespaces);
 	name = names_find(
@@ -90,8 +96,9 @@ xml_start(void *user, const xmlChar *local, const xmlChar *prefix,
 		      : fault_memory(&parser->fault);
 	if (!status)
 		status = parser->handler->start(parser->handler->context, name,
-			parser->attributes.at, parser->attributes.count,
+			parser->attributes.at, parser->attributes.count, &skip,
 			&parser->fault);
+	parser->skipped = skip;
 	if (status)
 		xml_stop(parser, status);
 }
@@ -108,6 +115,10 @@ xml_end(void *user, const xmlChar *local, const xmlChar *prefix,
 	(void)uri;
 	if (parser->status)
 		return;
+	if (parser->skipped) {
+		parser->skipped--;
+		return;
+	}
 	status = parser->handler->end(parser->handler->context, &parser->fault);
 	if (status)
 		xml_stop(parser, status);
@@ -119,7 +130,7 @@ xml_text(void *user, const xmlChar *bytes, int length)
 	struct xml_parser *parser = user;
 	enum tcs_status status;
 
-	if (parser->status)
+	if (parser->status || parser->skipped)
 		return;
 	status = parser->handler->text(parser->handler->context, plain(bytes),
 		(size_t)length, &parser->fault);

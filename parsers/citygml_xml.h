@@ -25,10 +25,11 @@ struct xml_attribute {
 
 struct xml_handler {
 	void *context;
-	/* `name` and `attributes` live until the call returns. */
+	/* `name` and `attributes` live until the call returns. With *skip set,
+	   nothing below the element is reported, nor its end. */
 	enum tcs_status (*start)(void *context, struct name *name,
 		const struct xml_attribute *attributes, size_t count,
-		struct tcs_fault *fault);
+		bool *skip, struct tcs_fault *fault);
 	enum tcs_status (*end)(void *context, struct tcs_fault *fault);
 	enum tcs_status (*text)(void *context, const char *bytes, size_t length,
 		struct tcs_fault *fault);
