@@ -270,13 +270,10 @@ assembly_new(const char *beside, struct tcs_fault *fault) noexcept
 {
 	std::unique_ptr<struct gltf_assembly> made;
 	enum tcs_status status = guarded(fault, [&] {
-		enum tcs_status opened = TCS_OK;
-
 		made = std::make_unique<struct gltf_assembly>();
 		for (struct spool &spool : made->spools)
-			if (!opened)
-				opened = spool_open(&spool, beside, fault);
-		return opened;
+			spool_open(&spool, beside);
+		return TCS_OK;
 	});
 
 	return status ? nullptr : made.release();

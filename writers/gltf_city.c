@@ -16,8 +16,8 @@ city_begin(struct city *city, const char *beside, uint32_t column_limit,
 	*city = (struct city){.assembly = NULL};
 	for (int i = 0; i < CITY_PARTS; i++)
 		city->open[i] = TCS_NONE;
-	for (int i = 0; i < CITY_PARTS && !status; i++)
-		status = spool_open(city->parts + i, beside, fault);
+	for (int i = 0; i < CITY_PARTS; i++)
+		spool_open(city->parts + i, beside);
 	for (int i = 0; i < ASSEMBLY_SETS && !status; i++)
 		status = table_init(city->tables + i, column_limit, fault);
 	if (status)

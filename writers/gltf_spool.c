@@ -33,11 +33,18 @@ spool_pattern(const char *beside)
 	return path;
 }
 
-enum tcs_status
-spool_open(struct spool *spool, const char *beside, struct tcs_fault *fault)
+void
+spool_open(struct spool *spool, const char *beside)
+{
+	*spool = (struct spool){.beside = beside};
+}
+
+/* An open file without a name. */
+static enum tcs_status
+spool_make_file(struct spool *spool, struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
-	char *path = spool_pattern(beside);
+	char *path = spool_pattern(spool->beside);
 	int descriptor;
 
 	if (!path)
@@ -57,9 +64,29 @@ spool_open(struct spool *spool, const char *beside, struct tcs_fault *fault)
 		goto done;
 	}
 	setvbuf(spool->file, NULL, _IOFBF, SPOOL_BUFFER);
-	spool->size = 0;
 done:
 	free(path);
+	return status;
+}
+
+static enum tcs_status
+spool_to_file(struct spool *spool, const void *bytes, size_t size,
+	struct tcs_fault *fault)
+{
+	return fwrite(bytes, 1, size, spool->file) == size
+		? TCS_OK
+		: fault_system(fault, "cannot write", "a temporary file");
+}
+
+static enum tcs_status
+spool_spill(struct spool *spool, struct tcs_fault *fault)
+{
+	enum tcs_status status = spool_make_file(spool, fault);
+
+	if (!status)
+		status = spool_to_file(
+			spool, spool->held.at, spool->held.count, fault);
+	array_release(&spool->held);
 	return status;
 }
 
@@ -67,8 +94,22 @@ enum tcs_status
 spool_write(struct spool *spool, const void *bytes, size_t size,
 	struct tcs_fault *fault)
 {
-	if (fwrite(bytes, 1, size, spool->file) != size)
-		return fault_system(fault, "cannot write", "a temporary file");
+	enum tcs_status status = TCS_OK;
+
+	if (!size)
+		return TCS_OK;
+	if (!spool->file && spool->size + size > SPOOL_HELD)
+		status = spool_spill(spool, fault);
+	if (!status && spool->file)
+		status = spool_to_file(spool, bytes, size, fault);
+	if (status)
+		return status;
+	if (!spool->file) {
+		if (array_grow(&spool->held, size))
+			return fault_memory(fault);
+		memcpy(spool->held.at + spool->held.count, bytes, size);
+		spool->held.count += size;
+	}
 	spool->size += size;
 	return TCS_OK;
 }
@@ -88,8 +129,14 @@ spool_pour(struct spool *spool, FILE *to, const char *name,
 {
 	enum tcs_status status = TCS_OK;
 	uint64_t left = spool->size;
-	char *buffer = malloc(POUR_BUFFER);
+	char *buffer;
 
+	if (!spool->file)
+		return fwrite(spool->held.at, 1, spool->held.count, to) ==
+				spool->held.count
+			? TCS_OK
+			: fault_system(fault, "cannot write", name);
+	buffer = malloc(POUR_BUFFER);
 	if (!buffer)
 		return fault_memory(fault);
 	if (fflush(spool->file) || fseeko(spool->file, 0, SEEK_SET))
@@ -113,5 +160,6 @@ spool_close(struct spool *spool)
 {
 	if (spool->file)
 		fclose(spool->file);
+	array_release(&spool->held);
 	*spool = (struct spool){0};
 }

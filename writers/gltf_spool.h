@@ -2,8 +2,8 @@
  * A spool: bytes on their way into an output that needs them later.
  *
  * The numbers of a glTF stand behind a JSON text that names their sizes, so
- * they wait in an unnamed temporary file instead of in memory. All zero is a
- * closed spool.
+ * they wait: the first SPOOL_HELD bytes in memory, and when there are more,
+ * all of them in an unnamed temporary file. All zero is a closed spool.
  */
 #ifndef TESSERA_GLTF_SPOOL_H
 #define TESSERA_GLTF_SPOOL_H
@@ -12,21 +12,26 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "array.h"
 #include "fault.h"
 
+#define SPOOL_HELD (UINT64_C(64) << 20)
+
 struct spool {
-	FILE *file;
+	const char *beside; /* borrowed */
+	TCS_ARRAY(unsigned char) held;
+	FILE *file; /* NULL while all is held */
 	uint64_t size; /* bytes written */
 };
 
 /*
- * `beside` names a regular output file: the spool lives in its folder, which
- * has to have the room anyway. NULL: in $TMPDIR, else in /tmp. The file has no
- * name by the time this returns. Fails with TCS_SYSTEM, TCS_NO_MEMORY.
+ * `beside` names a regular output file, for as long as the spool is open: a
+ * temporary file goes to its folder, which has to have the room anyway. NULL:
+ * to $TMPDIR, else to /tmp.
  */
-enum tcs_status spool_open(struct spool *spool, const char *beside,
-	struct tcs_fault *fault) TCS_CHECKED;
+void spool_open(struct spool *spool, const char *beside);
 
+/* Fails with TCS_SYSTEM, TCS_NO_MEMORY. */
 enum tcs_status spool_write(struct spool *spool, const void *bytes, size_t size,
 	struct tcs_fault *fault) TCS_CHECKED;
 

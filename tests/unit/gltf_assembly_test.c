@@ -109,13 +109,6 @@ the_buffer_is_named_with_its_size(void)
 	assembly_free(assembly);
 }
 
-static void
-a_folder_that_is_not_there_is_told(void)
-{
-	CHECK(!assembly_new("/nowhere/at/all", &fault));
-	CHECK(fault.status == TCS_SYSTEM);
-}
-
 int
 main(void)
 {
@@ -124,7 +117,6 @@ main(void)
 		CHECK_TEST(batches_join_into_one_array),
 		CHECK_TEST(text_that_is_not_utf8_fails_without_throwing),
 		CHECK_TEST(the_buffer_is_named_with_its_size),
-		CHECK_TEST(a_folder_that_is_not_there_is_told),
 		{0},
 	};
 
