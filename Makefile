@@ -169,7 +169,7 @@ node_lock := $(wildcard tests/node/package-lock.json)
 node_modules := $(if $(node_lock),tests/node/node_modules/.package-lock.json)
 
 $(node_modules): $(node_lock)
-	$(call show,NPM)cd tests/node && npm ci --silent --ignore-scripts \
+	$(call show,NPM)cd tests/node && npm ci --loglevel=error --ignore-scripts \
 		--no-audit --no-fund && touch node_modules/.package-lock.json
 
 test-here: all $(unit_tests) $(replays) $(generators) $(node_modules)
