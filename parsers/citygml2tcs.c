@@ -66,40 +66,36 @@ main(int argc, char **argv)
 		{.type = OPTION_PARSE,
 			.name = "lod",
 			.argument = "LIST",
-			.help = "levels of detail to read: highest (of each "
+			.help = "Read these levels of detail: highest (of each "
 				"feature, the default), all, or numbers as "
-				"in 0,2",
+				"in 0,2.",
 			.target = &options.lods,
 			.parse = parse_lods},
-		{.type = OPTION_UNSIGNED,
+		{.type = OPTION_FLAG,
 			.letter = 'z',
 			.name = "compress",
-			.argument = "LEVEL",
-			.help = "compress the stream's records, 1 fast to 9 "
-				"small (default: 0, not at all)",
-			.target = &options.level,
-			.low = 0,
-			.high = 9},
+			.help = "Compress the records, for storage.",
+			.target = &options.compress},
 		{.type = OPTION_UNSIGNED,
 			.name = "max-depth",
 			.argument = "N",
-			.help = "fail when elements nest deeper than N "
-				"(default: 512)",
+			.help = "Fail when elements nest deeper than N "
+				"(default: 512).",
 			.target = &options.limits.max_depth,
 			.low = 8,
 			.high = 1000000},
 		{.type = OPTION_BYTES,
 			.name = "max-bytes",
 			.argument = "N",
-			.help = "fail when the document, uncompressed, is "
-				"longer than N bytes (default: no limit)",
+			.help = "Fail when the document, uncompressed, is "
+				"longer than N bytes (default: no limit).",
 			.target = &max_bytes},
 		{0},
 	};
 	const struct program program = {
 		.name = "citygml2tcs",
 		.synopsis = "[options] [in [out]]",
-		.summary = "read CityGML, write a component stream",
+		.summary = "Read CityGML, write a component stream.",
 		.options = rows,
 		.flags = PROGRAM_READS | PROGRAM_BINARY_OUT,
 	};

@@ -7,7 +7,7 @@
 #include "crew.h"
 #include "progress.h"
 
-enum { CHUNK = 64 * 1024 };
+enum { CHUNK = 64 * 1024, COMPRESSION_LEVEL = 6 };
 
 enum convert_phase {
 	PHASE_WRITE, /* write every object that needs no other */
@@ -435,7 +435,8 @@ convert_begin(struct convert *convert, FILE *file, struct tcs_fault *fault)
 	unsigned jobs = convert->command->jobs;
 	enum tcs_status status;
 
-	writer_init(&convert->writer, file, (int)convert->options->level);
+	writer_init(&convert->writer, file,
+		convert->options->compress ? COMPRESSION_LEVEL : 0);
 	progress_begin(&convert->progress, convert->command->program->name,
 		"objects", convert->command->quiet);
 	convert->plan.lods = convert->options->lods;

@@ -21,7 +21,7 @@
 struct convert_options {
 	struct lod_choice lods;
 	struct gml_limits limits;
-	unsigned level; /* zlib level of the records, 0: none */
+	bool compress; /* the records */
 };
 
 /*

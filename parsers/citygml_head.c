@@ -3,8 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "number.h"
-
 static enum tcs_status
 head_append(struct tcs_head *head, const char *text, tcs_text *out,
 	struct tcs_fault *fault)
@@ -14,27 +12,40 @@ head_append(struct tcs_head *head, const char *text, tcs_text *out,
 
 /* ---- where the data lies ------------------------------------------------------- */
 
-/* The first position of an object, as written. */
+/* The text of the first ring of the object that is in no template. */
+static const struct raw_ring *
+first_ring(const struct raw_object *raw)
+{
+	for (size_t i = 0; raw && i < raw->polygons.count; i++) {
+		const struct raw_polygon *polygon = &raw->polygons.at[i];
+
+		if (polygon->ring_count &&
+			!raw->geometries.at[polygon->geometry].is_template)
+			return &raw->rings.at[polygon->first_ring];
+	}
+	return NULL;
+}
+
+/* The first position of an object, as written: of a ring or an instance. */
 static bool
 first_position(const struct raw_object *raw, double out[3])
 {
-	const char *at, *end;
+	const struct raw_ring *ring = first_ring(raw);
 	int count = 0;
 
-	if (!raw || !raw->positions.count)
-		return false;
-	at = raw->positions.at;
-	end = at + raw->positions.count;
 	out[2] = 0;
-	while (count < 3) {
-		while (at < end && (unsigned char)*at <= ' ')
-			at++;
-		at = number_parse(at, end, &out[count]);
-		if (!at || !isfinite(out[count]))
-			break;
-		count++;
+	if (ring)
+		count = gml_numbers(
+			raw->positions.at + ring->first, ring->length, out, 3);
+	else if (raw && raw->instances.count &&
+		raw->instances.at[0].has_anchor) {
+		memcpy(out, raw->instances.at[0].anchor, 3 * sizeof *out);
+		count = 3;
 	}
-	return count == 3;
+	for (int i = 0; i < count; i++)
+		if (!isfinite(out[i]))
+			return false;
+	return count >= 2;
 }
 
 static struct tcs_point
@@ -155,9 +166,10 @@ head_set_crs(struct tcs_head *head, struct gml_reader *reader,
 	if (index == TCS_NONE) {
 		status = crs_set_unknown(head, &crs, fault);
 	} else {
-		if (first)
-			gml_north_first(reader, index, first->positions.at,
-				first->positions.count);
+		if (first_ring(first))
+			gml_north_first(reader, index,
+				first->positions.at + first_ring(first)->first,
+				first_ring(first)->length);
 		north_first = reader->systems.at[index].north_first;
 		status = crs_set_system(
 			head, &crs, &reader->systems.at[index], reader, fault);

@@ -12,6 +12,7 @@ link_work_release(struct link_work *work)
 	array_release(&work->first_use);
 	array_release(&work->lods);
 	array_release(&work->groups);
+	array_release(&work->foreign);
 	array_release(&work->heads);
 	array_release(&work->emitted);
 	array_release(&work->missing);
@@ -73,9 +74,15 @@ use_add(const struct use_context *to, const struct raw_object *home,
 		return fault_memory(fault);
 	if (home == to->raw)
 		feature = surface_of(to->raw, polygon, feature);
+	else if (array_grow(&to->work->foreign, 1))
+		return fault_memory(fault);
+	else
+		to->work->foreign.at[to->work->foreign.count++] =
+			(uint32_t)to->work->uses.count;
 	to->work->uses.at[to->work->uses.count++] = (struct raw_use){
 		.home = home,
 		.polygon = polygon,
+		.key = polygon,
 		.geometry = to->geometry,
 		.shell = shell,
 		.surface = feature,
@@ -171,6 +178,58 @@ uses_collect(struct link_work *work, const struct raw_object *raw,
 			object_text(&raw->tree, raw->tree.features.at[0].id),
 			TCS_NOWHERE, fault);
 	return status;
+}
+
+/*
+ * Keys of the library's polygons follow those of the object's own, in the order
+ * of first use; an open hash table finds them again.
+ */
+static enum tcs_status
+keys_assign(struct link_work *work, const struct raw_object *raw,
+	struct tcs_fault *fault)
+{
+	size_t room = 16;
+
+	work->keys = (uint32_t)raw->polygons.count;
+	if (!work->foreign.count)
+		return TCS_OK;
+	while (room < work->foreign.count * 2)
+		room *= 2;
+	array_clear(&work->heads);
+	if (array_grow(&work->heads, room))
+		return fault_memory(fault);
+	memset(work->heads.at, 0xff, room * sizeof *work->heads.at);
+	for (size_t i = 0; i < work->foreign.count; i++) {
+		struct raw_use *use = &work->uses.at[work->foreign.at[i]];
+		size_t slot = (use->polygon * 2654435761u) & (room - 1);
+
+		while (work->heads.at[slot] != TCS_NONE &&
+			work->uses.at[work->heads.at[slot]].polygon !=
+				use->polygon)
+			slot = (slot + 1) & (room - 1);
+		if (work->heads.at[slot] == TCS_NONE) {
+			work->heads.at[slot] = work->foreign.at[i];
+			use->key = work->keys++;
+		} else {
+			use->key = work->uses.at[work->heads.at[slot]].key;
+		}
+	}
+	return TCS_OK;
+}
+
+/* Room for one entry of each table per key, and per feature. */
+static int
+tables_prepare(struct link_work *work, const struct raw_object *raw)
+{
+	size_t features = raw->tree.features.count;
+	size_t heads = work->keys > features ? work->keys : features;
+
+	array_clear(&work->heads);
+	if (array_grow(&work->heads, heads + 1) ||
+		array_grow(&work->emitted, work->keys + 1u))
+		return -1;
+	memset(work->emitted.at, 0, work->keys * sizeof *work->emitted.at);
+	return 0;
 }
 
 /* ---- levels of detail --------------------------------------------------------- */
@@ -356,18 +415,17 @@ is_below(const struct raw_object *raw, uint32_t feature, uint32_t ancestor)
 
 /* The polygons' lists of uses at one level of detail; areas only. */
 static void
-lists_build(struct link_work *work, const struct raw_object *raw, uint8_t lod)
+lists_build(struct link_work *work, uint8_t lod)
 {
-	memset(work->heads.at, 0xff,
-		raw->polygons.count * sizeof *work->heads.at);
+	memset(work->heads.at, 0xff, work->keys * sizeof *work->heads.at);
 	for (size_t i = work->uses.count; i-- > 0;) {
 		struct raw_use *use = &work->uses.at[i];
 
-		if (use->home != raw || use->state == USE_UNWANTED ||
+		if (use->state == USE_UNWANTED ||
 			work->lods.at[use->geometry] != lod)
 			continue;
-		use->next = work->heads.at[use->polygon];
-		work->heads.at[use->polygon] = (uint32_t)i;
+		use->next = work->heads.at[use->key];
+		work->heads.at[use->key] = (uint32_t)i;
 	}
 }
 
@@ -376,9 +434,8 @@ use_keep(struct link_work *work, const struct raw_object *raw,
 	struct raw_use *use)
 {
 	use->state = USE_KEPT;
-	use->shared = use->home != raw || work->emitted.at[use->polygon];
-	if (use->home == raw)
-		work->emitted.at[use->polygon] = true;
+	use->shared = use->home != raw || work->emitted.at[use->key];
+	work->emitted.at[use->key] = true;
 }
 
 #define MAX_CANDIDATES 1000 /* uses of one polygon that are looked at */
@@ -392,8 +449,8 @@ solid_take(struct link_work *work, const struct raw_object *raw,
 	uint32_t best = TCS_NONE;
 	int left = MAX_CANDIDATES;
 
-	for (uint32_t i = work->heads.at[use->polygon];
-		i != TCS_NONE && left-- > 0; i = work->uses.at[i].next) {
+	for (uint32_t i = work->heads.at[use->key]; i != TCS_NONE && left-- > 0;
+		i = work->uses.at[i].next) {
 		uint32_t feature =
 			raw->geometries.at[work->uses.at[i].geometry].feature;
 
@@ -421,8 +478,8 @@ use_kept(const struct link_work *work, const struct raw_use *use)
 {
 	int left = MAX_CANDIDATES;
 
-	for (uint32_t i = work->heads.at[use->polygon];
-		i != TCS_NONE && left-- > 0; i = work->uses.at[i].next)
+	for (uint32_t i = work->heads.at[use->key]; i != TCS_NONE && left-- > 0;
+		i = work->uses.at[i].next)
 		if (work->uses.at[i].state == USE_KEPT)
 			return &work->uses.at[i];
 	return NULL;
@@ -455,7 +512,7 @@ uses_claim(struct link_work *work, const struct raw_object *raw, uint8_t lod,
 			work->lods.at[use->geometry] != lod ||
 			claim_of(work, raw, use->geometry) != claim)
 			continue;
-		if (use->home != raw || shape_of(use) != RAW_AREA)
+		if (shape_of(use) != RAW_AREA)
 			use_keep(work, raw, use);
 		else if (claim == CLAIM_SOLID)
 			solid_take(work, raw, use);
@@ -480,13 +537,12 @@ static int
 work_prepare(struct link_work *work, const struct raw_object *raw)
 {
 	size_t features = raw->tree.features.count;
-	size_t heads =
-		raw->polygons.count > features ? raw->polygons.count : features;
 
 	array_clear(&work->uses);
 	array_clear(&work->first_use);
 	array_clear(&work->lods);
 	array_clear(&work->groups);
+	array_clear(&work->foreign);
 	array_clear(&work->heads);
 	array_clear(&work->emitted);
 	array_clear(&work->missing);
@@ -495,12 +551,8 @@ work_prepare(struct link_work *work, const struct raw_object *raw)
 	if (array_grow(&work->first_use, raw->geometries.count + 1) ||
 		array_grow(&work->lods, raw->geometries.count) ||
 		array_grow(&work->groups, features) ||
-		array_grow(&work->heads, heads + 1) ||
-		array_grow(&work->unwanted, raw->instances.count) ||
-		array_grow(&work->emitted, raw->polygons.count + 1))
+		array_grow(&work->unwanted, raw->instances.count))
 		return -1;
-	memset(work->emitted.at, 0,
-		raw->polygons.count * sizeof *work->emitted.at);
 	return 0;
 }
 
@@ -520,15 +572,19 @@ links_resolve(struct link_work *work, const struct raw_object *raw,
 	if (!status)
 		status = uses_collect(
 			work, raw, library, TCS_NONE, report, fault);
+	if (!status)
+		status = keys_assign(work, raw, fault);
 	if (status)
 		return status;
+	if (tables_prepare(work, raw))
+		return fault_memory(fault);
 	groups_find(work, raw);
 	lods_find(work, raw);
 	lods_choose(work, raw, choice);
 	for (size_t i = 0; i < sizeof levels; i++) {
 		if (!lod_is_used(work, raw, levels[i]))
 			continue;
-		lists_build(work, raw, levels[i]);
+		lists_build(work, levels[i]);
 		uses_claim(work, raw, levels[i], CLAIM_SOLID);
 		uses_claim(work, raw, levels[i], CLAIM_THEMATIC);
 		uses_claim(work, raw, levels[i], CLAIM_HOST);

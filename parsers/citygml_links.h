@@ -35,6 +35,7 @@ enum use_state {
 struct raw_use {
 	const struct raw_object *home; /* where the polygon is */
 	uint32_t polygon; /* of home */
+	uint32_t key; /* the same for uses of the same polygon */
 	uint32_t geometry; /* of the object */
 	uint32_t shell; /* of the object or of home; TCS_NONE */
 	uint32_t surface; /* feature it belongs to, once kept */
@@ -51,8 +52,10 @@ struct link_work {
 	TCS_ARRAY(uint32_t) first_use; /* per geometry, and the end */
 	TCS_ARRAY(uint8_t) lods; /* per geometry: its level of detail */
 	TCS_ARRAY(uint32_t) groups; /* per feature: whose LODs it shares */
-	TCS_ARRAY(uint32_t) heads; /* per polygon: its first use at a LOD */
-	TCS_ARRAY(bool) emitted; /* per polygon: kept at some LOD */
+	TCS_ARRAY(uint32_t) foreign; /* uses of the library's polygons */
+	uint32_t keys; /* how many polygons are used: keys are below it */
+	TCS_ARRAY(uint32_t) heads; /* per key: its first use at a LOD */
+	TCS_ARRAY(bool) emitted; /* per key: kept at some LOD */
 	struct id_index targets; /* of the object, by id */
 	TCS_ARRAY(tcs_text) missing; /* ids that no target has */
 	TCS_ARRAY(bool) unwanted; /* per instance: of another level */
