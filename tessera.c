@@ -378,6 +378,8 @@ static const struct passed passed_options[] = {
 		"Levels of detail to take (default: the highest of each "
 		"feature).",
 		{"citygml2tcs", "tcs2gltf"}, NULL},
+	{"ade", "HOW", "What extensions of CityGML add: keep, drop.",
+		{"citygml2tcs"}, NULL},
 	{"max-bytes", "N", "Longest document to read, uncompressed.",
 		{"citygml2tcs"}, NULL},
 	{"max-depth", "N", "Deepest nesting of elements to read.",

@@ -31,6 +31,16 @@ parse_lods(void *target, const char *argument)
 	}
 }
 
+static const char *
+parse_ade(void *target, const char *argument)
+{
+	bool *drop = target;
+
+	*drop = !strcmp(argument, "drop");
+	return *drop || !strcmp(argument, "keep") ? NULL
+						  : "neither keep nor drop";
+}
+
 static enum tcs_status
 run(const struct command *command, const struct convert_options *options,
 	uint64_t max_bytes, struct report *report, struct tcs_fault *fault)
@@ -59,7 +69,7 @@ main(int argc, char **argv)
 {
 	struct convert_options options = {
 		.lods.highest = true,
-		.limits.max_depth = 512,
+		.reading.max_depth = 512,
 	};
 	uint64_t max_bytes = 0;
 	const struct option_row rows[] = {
@@ -71,6 +81,13 @@ main(int argc, char **argv)
 				"in 0,2.",
 			.target = &options.lods,
 			.parse = parse_lods},
+		{.type = OPTION_PARSE,
+			.name = "ade",
+			.argument = "HOW",
+			.help = "What extensions add: keep (the default) or "
+				"drop.",
+			.target = &options.reading.drop_extensions,
+			.parse = parse_ade},
 		{.type = OPTION_FLAG,
 			.letter = 'z',
 			.name = "compress",
@@ -81,7 +98,7 @@ main(int argc, char **argv)
 			.argument = "N",
 			.help = "Fail when elements nest deeper than N "
 				"(default: 512).",
-			.target = &options.limits.max_depth,
+			.target = &options.reading.max_depth,
 			.low = 8,
 			.high = 1000000},
 		{.type = OPTION_BYTES,

@@ -443,7 +443,7 @@ convert_begin(struct convert *convert, FILE *file, struct tcs_fault *fault)
 	convert->slot_count = crew_slots(jobs);
 	convert->slots = calloc(convert->slot_count, sizeof *convert->slots);
 	convert->builders = calloc(jobs, sizeof *convert->builders);
-	status = gml_begin(&convert->reader, &convert->options->limits, fault);
+	status = gml_begin(&convert->reader, &convert->options->reading, fault);
 	if (!status && (!convert->slots || !convert->builders))
 		status = fault_memory(fault);
 	for (unsigned i = 0; !status && i < jobs; i++)

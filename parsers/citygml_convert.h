@@ -20,7 +20,7 @@
 
 struct convert_options {
 	struct lod_choice lods;
-	struct gml_limits limits;
+	struct gml_options reading;
 	bool compress; /* the records */
 };
 

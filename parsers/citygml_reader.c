@@ -340,6 +340,26 @@ member_child(struct gml_reader *reader, struct name *name,
 	return feature_begin(reader, name, attributes, count, fault);
 }
 
+/* Elements of extensions that are not wanted. */
+static bool
+is_dropped(const struct gml_reader *reader, const struct frame *parent,
+	const struct name *name)
+{
+	return reader->options.drop_extensions && name->space == SPACE_OTHER &&
+		parent->role >= ROLE_MEMBER;
+}
+
+static enum tcs_status
+extension_drop(struct gml_reader *reader, struct tcs_fault *fault)
+{
+	struct report *report =
+		reader->raw ? &reader->raw->report : &reader->report;
+	enum tcs_status status =
+		report_add(report, "elements of extensions dropped", 1, fault);
+
+	return status ? status : gml_skip(reader);
+}
+
 /* ---- events ---------------------------------------------------------------- */
 
 static enum tcs_status
@@ -349,12 +369,14 @@ element_start(struct gml_reader *reader, struct name *name,
 {
 	struct frame *top = gml_top(reader);
 
-	if (reader->frames.count > reader->limits.max_depth)
+	if (reader->frames.count > reader->options.max_depth)
 		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
 			"line %u: elements nest deeper than %u "
 			"(--max-depth)",
-			xml_line(reader->xml), reader->limits.max_depth);
+			xml_line(reader->xml), reader->options.max_depth);
 	top->has_children = true;
+	if (is_dropped(reader, top, name))
+		return extension_drop(reader, fault);
 	switch (top->role) {
 	case ROLE_DOCUMENT:
 		return root_start(reader, name, attributes, count, fault);
@@ -447,11 +469,11 @@ gml_end_element(void *context, struct tcs_fault *fault)
 /* ---- life ------------------------------------------------------------------- */
 
 enum tcs_status
-gml_begin(struct gml_reader *reader, const struct gml_limits *limits,
+gml_begin(struct gml_reader *reader, const struct gml_options *options,
 	struct tcs_fault *fault)
 {
 	*reader = (struct gml_reader){
-		.limits = *limits,
+		.options = *options,
 		.names.version = 2,
 		.ready_end = &reader->ready,
 		.model_srs = TCS_NONE,

@@ -79,8 +79,10 @@ struct texture_text {
 	TCS_ARRAY(char) border;
 };
 
-struct gml_limits {
+struct gml_options {
 	unsigned max_depth; /* open elements */
+	bool drop_extensions; /* what is of no namespace of CityGML's or GML's
+	                         below the model is not read */
 };
 
 enum gml_pass {
@@ -90,7 +92,7 @@ enum gml_pass {
 
 struct gml_reader {
 	struct names names;
-	struct gml_limits limits;
+	struct gml_options options;
 	struct xml_handler handler;
 	struct xml_parser *xml;
 	enum gml_pass pass;
@@ -134,7 +136,7 @@ struct gml_reader {
 
 /* Zero is valid for gml_release. Fails with TCS_NO_MEMORY. */
 enum tcs_status gml_begin(struct gml_reader *reader,
-	const struct gml_limits *limits, struct tcs_fault *fault) TCS_CHECKED;
+	const struct gml_options *options, struct tcs_fault *fault) TCS_CHECKED;
 void gml_release(struct gml_reader *reader);
 
 /* Start a pass over the document from its first byte. */

@@ -78,7 +78,10 @@ run_pass(struct target *target, enum gml_pass pass, const char *bytes,
 int
 LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	const struct gml_limits limits = {.max_depth = 64};
+	const struct gml_options options = {
+		.max_depth = 64,
+		.drop_extensions = size && data[0] & 2,
+	};
 	struct target *target;
 	size_t piece;
 
@@ -91,7 +94,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	target->plan.lods.highest = data[0] & 1;
 	for (int i = 0; i < 5; i++)
 		target->plan.lods.lods[i] = true;
-	if (!gml_begin(&target->reader, &limits, &target->fault) &&
+	if (!gml_begin(&target->reader, &options, &target->fault) &&
 		!builder_init(&target->builder, &target->fault)) {
 		const char *bytes = (const char *)data + 1;
 
