@@ -316,6 +316,10 @@ name_new(const struct names *names, const char *local, const char *prefix,
 	name->prefix = prefix ? prefix : "";
 	name->uri = uri;
 	name->space = space_of(uri, name->prefix);
+	if (name->space == SPACE_OTHER && names->adopted)
+		name->space = uri == names->adopted
+			? SPACE_CITYGML
+			: space_of_prefix(name->prefix);
 	name_understand(names, name);
 	return name;
 }

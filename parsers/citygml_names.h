@@ -105,6 +105,9 @@ struct names {
 	size_t room, count;
 	int version; /* 2 or 3: which CityGML's names come first */
 	const char *spelled; /* the version as "2.0"; NULL: none declared */
+	const char *adopted; /* an unknown namespace that the root CityModel is
+	                        in, interned: taken as CityGML's, and customary
+	                        prefixes at their meaning; NULL: none */
 };
 
 /*

@@ -35,12 +35,14 @@ plain(const xmlChar *text)
 
 /* Which CityGML the root or its namespace declarations speak of. */
 static void
-xml_find_version(struct xml_parser *parser, const xmlChar *uri, int count,
-	const xmlChar **namespaces)
+xml_find_version(struct xml_parser *parser, const xmlChar *local,
+	const xmlChar *uri, int count, const xmlChar **namespaces)
 {
 	const char *version = names_version(plain(uri));
 
 	parser->began = true;
+	if (uri && !version && !strcmp(plain(local), "CityModel"))
+		parser->names->adopted = plain(uri);
 	for (int i = 0; !version && i < count; i++)
 		version = names_version(plain(namespaces[2 * i + 1]));
 	if (!version)
@@ -89,7 +91,8 @@ xml_start(void *user, const xmlChar *local, const xmlChar *prefix,
 		return;
 	}
 	if (!parser->began)
-		xml_find_version(parser, uri, namespace_count, namespaces);
+		xml_find_version(
+			parser, local, uri, namespace_count, namespaces);
 	name = names_find(
 		parser->names, plain(local), plain(prefix), plain(uri));
 	status = name ? xml_take_attributes(parser, attribute_count, attributes)
