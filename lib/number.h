@@ -37,35 +37,6 @@ const char *number_parse_integer(const char *at, const char *end, int64_t *out);
  */
 size_t number_print(char out[NUMBER_LENGTH], double value);
 
-/*
- * A run of numbers separated by XML white space that arrives in pieces, as
- * the text of a gml:posList does: a number may be cut anywhere. All zero is
- * the start; number_scan_finish makes it ready for the next run.
- */
-struct number_scan {
-	TCS_ARRAY(char) held; /* the cut number at the end of the last piece */
-	uint64_t seen; /* bytes of the run in earlier pieces */
-	uint64_t bad; /* tokens that are no finite number */
-	uint64_t bad_at; /* where in the run the first of them begins */
-};
-
-#define NUMBER_MAX_TOKEN 4096 /* bytes of one number; longer ones are bad */
-
 TCS_ARRAY_TYPE(number_list, double);
-
-/*
- * Append the numbers of the next piece to `out`. A token that is no number,
- * that overflows, or is too long is counted in `bad` and stands in `out` as
- * NaN, so that positions keep their places. Fails with TCS_NO_MEMORY.
- */
-enum tcs_status number_scan_feed(struct number_scan *scan, const char *bytes,
-	size_t length, struct number_list *out,
-	struct tcs_fault *fault) TCS_CHECKED;
-
-/* The run is over: take the number still held. Resets all but bad, bad_at. */
-enum tcs_status number_scan_finish(struct number_scan *scan,
-	struct number_list *out, struct tcs_fault *fault) TCS_CHECKED;
-
-void number_scan_release(struct number_scan *scan);
 
 #endif

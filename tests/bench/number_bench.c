@@ -10,8 +10,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { COUNT = 300000, PIECE = 4096 };
-
+enum { COUNT = 300000 };
 struct sample {
 	double *values;
 	char *text; /* one after the other, a blank behind each */
@@ -138,32 +137,6 @@ time_strtod(const struct sample *sample)
 }
 
 static double
-time_scan(const struct sample *sample)
-{
-	struct number_scan scan = {.seen = 0};
-	struct number_list list = {.count = 0};
-	struct tcs_fault fault;
-	size_t length = sample->begins[COUNT];
-	double begin = cpu_nanoseconds();
-
-	for (size_t at = 0; at < length; at += PIECE) {
-		size_t piece = length - at < PIECE ? length - at : PIECE;
-
-		if (number_scan_feed(
-			    &scan, sample->text + at, piece, &list, &fault))
-			die(fault.text);
-	}
-	if (number_scan_finish(&scan, &list, &fault))
-		die(fault.text);
-	begin = (cpu_nanoseconds() - begin) / COUNT;
-	if (list.count != COUNT || scan.bad)
-		die("a run reads wrong");
-	number_scan_release(&scan);
-	array_release(&list);
-	return begin;
-}
-
-static double
 time_print(const struct sample *sample, size_t *length)
 {
 	char text[NUMBER_LENGTH];
@@ -192,8 +165,8 @@ measure(struct sample *sample, const char *name, double (*make)(uint64_t *))
 	size_t ours = 0, theirs = 0;
 
 	sample_fill(sample, make);
-	printf("%-28s %8.1f %8.1f %8.1f", name, time_parse(sample),
-		time_strtod(sample), time_scan(sample));
+	printf("%-28s %8.1f %8.1f", name, time_parse(sample),
+		time_strtod(sample));
 	printf(" %8.1f %8.1f", time_print(sample, &ours),
 		time_printf(sample, &theirs));
 	printf(" %6.1f %6.1f\n", (double)ours / COUNT, (double)theirs / COUNT);
@@ -207,8 +180,8 @@ main(void)
 
 	if (!sample.values || !sample.text || !sample.begins)
 		die("out of memory");
-	printf("%-28s %8s %8s %8s %8s %8s %13s\n", "nanoseconds a number",
-		"parse", "strtod", "scan", "print", "printf", "bytes printed");
+	printf("%-28s %8s %8s %8s %8s %13s\n", "nanoseconds a number", "parse",
+		"strtod", "print", "printf", "bytes printed");
 	measure(&sample, "millimetre coordinates", millimetres);
 	measure(&sample, "16 to 17 digit coordinates", full_coordinate);
 	measure(&sample, "degrees", latitude);

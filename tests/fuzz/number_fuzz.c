@@ -1,6 +1,6 @@
 /*
- * The bytes three times: as text to read as the C library does, as doubles to
- * print and read back, as a run of numbers that may be cut anywhere.
+ * The bytes twice: as text to read as the C library does, as doubles to print
+ * and read back.
  */
 #include "number.h"
 
@@ -62,60 +62,6 @@ check_printing(const uint8_t *bytes, size_t length)
 	}
 }
 
-struct run {
-	struct number_scan scan;
-	struct number_list list;
-};
-
-static void
-run_feed(struct run *run, const char *text, size_t length)
-{
-	struct tcs_fault fault;
-
-	if (number_scan_feed(&run->scan, text, length, &run->list, &fault))
-		abort();
-}
-
-static void
-run_finish(struct run *run)
-{
-	struct tcs_fault fault;
-
-	if (number_scan_finish(&run->scan, &run->list, &fault))
-		abort();
-}
-
-/* Piece by piece, each as long as a byte of the text says. */
-static void
-check_pieces(const char *text, size_t length)
-{
-	struct run whole = {.list = {0}}, cut = {.list = {0}};
-	size_t bytes;
-
-	run_feed(&whole, text, length);
-	run_finish(&whole);
-	for (size_t at = 0; at < length;) {
-		size_t piece = (unsigned char)text[at] % 7;
-
-		piece = piece < length - at ? piece : length - at;
-		run_feed(&cut, text + at, piece);
-		at += piece;
-		if (!piece && at < length)
-			run_feed(&cut, text + at++, 1);
-	}
-	run_finish(&cut);
-	bytes = whole.list.count * sizeof *whole.list.at;
-	if (whole.list.count != cut.list.count ||
-		whole.scan.bad != cut.scan.bad ||
-		whole.scan.bad_at != cut.scan.bad_at ||
-		(bytes && memcmp(whole.list.at, cut.list.at, bytes)))
-		abort();
-	number_scan_release(&whole.scan);
-	number_scan_release(&cut.scan);
-	array_release(&whole.list);
-	array_release(&cut.list);
-}
-
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
 
 int
@@ -130,7 +76,6 @@ LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
 	if (strlen(text) == length)
 		check_reading(text, length);
 	check_printing(bytes, length);
-	check_pieces(text, length);
 	free(text);
 	return 0;
 }

@@ -373,109 +373,6 @@ random_decimals_print_as_written(void)
 	}
 }
 
-/* ---- runs of numbers ------------------------------------------------------ */
-
-struct run {
-	struct number_scan scan;
-	struct number_list list;
-	struct tcs_fault fault;
-};
-
-static void
-run_release(struct run *run)
-{
-	number_scan_release(&run->scan);
-	array_release(&run->list);
-}
-
-static void
-run_pieces(struct run *run, const char *text, size_t length, size_t first,
-	size_t second)
-{
-	CHECK(!number_scan_feed(
-		&run->scan, text, first, &run->list, &run->fault));
-	CHECK(!number_scan_feed(&run->scan, text + first, second - first,
-		&run->list, &run->fault));
-	CHECK(!number_scan_feed(&run->scan, text + second, length - second,
-		&run->list, &run->fault));
-	CHECK(!number_scan_finish(&run->scan, &run->list, &run->fault));
-}
-
-static bool
-runs_equal(const struct run *a, const struct run *b)
-{
-	return a->list.count == b->list.count && a->scan.bad == b->scan.bad &&
-		a->scan.bad_at == b->scan.bad_at &&
-		(!a->list.count ||
-			!memcmp(a->list.at, b->list.at,
-				a->list.count * sizeof *a->list.at));
-}
-
-static void
-a_run_may_be_cut_anywhere(void)
-{
-	static const char text[] = " 1 2.5\n-3e-2\t+4.  x5 1e400 .5e 007 6 ";
-	struct run whole = {0};
-	size_t length = sizeof text - 1;
-
-	run_pieces(&whole, text, length, length, length);
-	CHECK(whole.list.count == 9);
-	CHECK(whole.scan.bad == 3);
-	CHECK(whole.scan.bad_at == 18);
-	CHECK(isnan(whole.list.at[4]) && isnan(whole.list.at[5]));
-	CHECK(whole.list.at[2] == -0.03);
-	for (size_t i = 0; i <= length; i++) {
-		for (size_t j = i; j <= length; j++) {
-			struct run cut = {0};
-
-			run_pieces(&cut, text, length, i, j);
-			CHECK(runs_equal(&whole, &cut));
-			run_release(&cut);
-		}
-	}
-	run_release(&whole);
-}
-
-static void
-a_token_too_long_is_bad_wherever_it_is_cut(void)
-{
-	static char text[NUMBER_MAX_TOKEN + 8];
-
-	for (size_t length = NUMBER_MAX_TOKEN - 1;
-		length <= NUMBER_MAX_TOKEN + 2; length++) {
-		size_t cuts[] = {2, 3, 100, NUMBER_MAX_TOKEN,
-			NUMBER_MAX_TOKEN + 1, NUMBER_MAX_TOKEN + 2, length + 2};
-
-		memset(text, '0', sizeof text);
-		memcpy(text, "1 ", 2);
-		memcpy(text + 2 + length, " 2", 2);
-		for (size_t i = 0; i < sizeof cuts / sizeof *cuts; i++) {
-			struct run run = {0};
-			size_t end = length + 4;
-			size_t cut = cuts[i] < end ? cuts[i] : end;
-
-			run_pieces(&run, text, end, cut, cut);
-			CHECK(run.list.count == 3);
-			CHECK(run.scan.bad == (length > NUMBER_MAX_TOKEN));
-			CHECK(!run.scan.bad || run.scan.bad_at == 2);
-			CHECK(run.list.at[2] == 2);
-			run_release(&run);
-		}
-	}
-}
-
-static void
-a_scan_is_ready_for_the_next_run(void)
-{
-	struct run run = {0};
-
-	run_pieces(&run, "1 2", 3, 3, 3);
-	run_pieces(&run, "34", 2, 1, 1);
-	CHECK(run.list.count == 3);
-	CHECK(run.list.at[2] == 34);
-	run_release(&run);
-}
-
 static const struct check_test tests[] = {
 	CHECK_TEST(ordinary_numbers_read_as_by_strtod),
 	CHECK_TEST(the_ends_of_the_range_read_right),
@@ -492,9 +389,6 @@ static const struct check_test tests[] = {
 	CHECK_TEST(random_bits_print_shortest),
 	CHECK_TEST(random_coordinates_print_shortest),
 	CHECK_TEST(random_decimals_print_as_written),
-	CHECK_TEST(a_run_may_be_cut_anywhere),
-	CHECK_TEST(a_token_too_long_is_bad_wherever_it_is_cut),
-	CHECK_TEST(a_scan_is_ready_for_the_next_run),
 	{0},
 };
 
