@@ -1,0 +1,25 @@
+/*
+ * The components of a mesh: triangles joined by a shared point inside one
+ * feature, or by an edge that exactly two triangles use across features.
+ *
+ * Joining all that share a point, whatever their features, would make one
+ * component of solids that merely touch at a corner or along an edge.
+ */
+#ifndef TESSERA_COMPONENTS_H
+#define TESSERA_COMPONENTS_H
+
+#include "edge_table.h"
+#include "fault.h"
+#include "tcs.h"
+
+/*
+ * components[i] is that of triangles[i], numbered from 0 in the order of their
+ * first triangles; features[i] is the triangle's feature. `table` is that of
+ * the same triangles. Takes n log n steps. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status components_find(const struct tcs_triangle *triangles,
+	const uint32_t *features, size_t count, const struct edge_table *table,
+	uint32_t *components, size_t *component_count,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+#endif

@@ -1,0 +1,87 @@
+#include "edge_table.h"
+
+#include <stdlib.h>
+
+static struct edge_use
+use_of(const struct tcs_triangle *triangles, size_t triangle, int i)
+{
+	uint32_t a = triangles[triangle].corner[i];
+	uint32_t b = triangles[triangle].corner[(i + 1) % 3];
+	bool forward = a < b;
+
+	return (struct edge_use){
+		forward ? a : b, forward ? b : a, (uint32_t)triangle, forward};
+}
+
+static int
+by_high(const void *left, const void *right)
+{
+	const struct edge_use *a = left, *b = right;
+
+	if (a->high != b->high)
+		return a->high < b->high ? -1 : 1;
+	return (a->triangle > b->triangle) - (a->triangle < b->triangle);
+}
+
+/* Put the uses where their low points belong, then sort those of each. */
+static void
+distribute(struct edge_table *table, const struct tcs_triangle *triangles,
+	size_t count, size_t *starts, size_t point_count)
+{
+	size_t first = 0;
+
+	for (size_t p = 0; p < point_count; p++)
+		starts[p + 1] += starts[p];
+	table->uses.count = starts[point_count];
+	for (size_t i = 0; i < count; i++) {
+		for (int k = 0; k < 3 && !is_collapsed(&triangles[i]); k++) {
+			struct edge_use use = use_of(triangles, i, k);
+
+			table->uses.at[starts[use.low]++] = use;
+		}
+	}
+	/* Every start has moved to the end of its run. */
+	for (size_t p = 0; p < point_count; p++) {
+		if (starts[p] - first > 1)
+			qsort(table->uses.at + first, starts[p] - first,
+				sizeof *table->uses.at, by_high);
+		first = starts[p];
+	}
+}
+
+enum tcs_status
+edge_table_build(struct edge_table *table, const struct tcs_triangle *triangles,
+	size_t count, size_t point_count, struct tcs_fault *fault)
+{
+	size_t *starts = calloc(point_count + 1, sizeof *starts);
+
+	array_clear(&table->uses);
+	if (!starts || array_grow(&table->uses, 3 * count)) {
+		free(starts);
+		return fault_memory(fault);
+	}
+	for (size_t i = 0; i < count; i++)
+		for (int k = 0; k < 3 && !is_collapsed(&triangles[i]); k++)
+			starts[use_of(triangles, i, k).low + 1]++;
+	distribute(table, triangles, count, starts, point_count);
+	free(starts);
+	return TCS_OK;
+}
+
+void
+edge_table_release(struct edge_table *table)
+{
+	array_release(&table->uses);
+}
+
+size_t
+edge_table_run(const struct edge_table *table, size_t first)
+{
+	const struct edge_use *use = &table->uses.at[first];
+	size_t end = first + 1;
+
+	while (end < table->uses.count && table->uses.at[end].low == use->low &&
+		table->uses.at[end].high == use->high)
+		end++;
+	return end - first;
+}

@@ -1,0 +1,367 @@
+#include "triangle_tree.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "vector.h"
+
+static struct triangle_shape
+shape_of(const struct tcs_point *points, const struct tcs_triangle *triangle)
+{
+	return (struct triangle_shape){{points[triangle->corner[0]],
+		points[triangle->corner[1]], points[triangle->corner[2]]}};
+}
+
+static struct box
+box_of(const struct triangle_shape *shape)
+{
+	struct box box = BOX_EMPTY;
+
+	for (int i = 0; i < 3; i++)
+		box_add_point(&box, shape->corner[i]);
+	return box;
+}
+
+static enum tcs_status
+add_over_boxes(struct triangle_tree *tree, const struct tcs_point *points,
+	const struct tcs_triangle *triangles, const uint32_t *items,
+	size_t count, struct box *boxes, uint32_t *order, uint32_t *root,
+	struct tcs_fault *fault)
+{
+	size_t begin = tree->boxes.items.count;
+	enum tcs_status status;
+
+	for (size_t i = 0; i < count; i++) {
+		struct triangle_shape shape =
+			shape_of(points, &triangles[items[i]]);
+
+		boxes[i] = box_of(&shape);
+		order[i] = (uint32_t)i;
+	}
+	status = box_tree_add(&tree->boxes, boxes, order, count, root, fault);
+	if (status)
+		return status;
+	for (size_t i = begin; i < begin + count; i++) {
+		uint32_t item = items[tree->boxes.items.at[i]];
+
+		tree->boxes.items.at[i] = item;
+		tree->shapes.at[i] = shape_of(points, &triangles[item]);
+	}
+	tree->shapes.count += count;
+	return TCS_OK;
+}
+
+enum tcs_status
+triangle_tree_add(struct triangle_tree *tree, const struct tcs_point *points,
+	const struct tcs_triangle *triangles, const uint32_t *items,
+	size_t count, uint32_t *root, struct tcs_fault *fault)
+{
+	struct box *boxes = calloc(count, sizeof *boxes);
+	uint32_t *order = calloc(count, sizeof *order);
+	enum tcs_status status;
+
+	if (!boxes || !order || array_grow(&tree->shapes, count))
+		status = fault_memory(fault);
+	else
+		status = add_over_boxes(tree, points, triangles, items, count,
+			boxes, order, root, fault);
+	free(boxes);
+	free(order);
+	return status;
+}
+
+void
+triangle_tree_release(struct triangle_tree *tree)
+{
+	box_tree_release(&tree->boxes);
+	array_release(&tree->shapes);
+}
+
+/* ---- the nearest point --------------------------------------------------- */
+
+struct walk_step {
+	uint32_t node;
+	double distance; /* of its box, squared; or where the ray enters */
+};
+
+struct walk {
+	struct walk_step stack[BOX_TREE_STACK];
+	size_t height;
+};
+
+/* Both children, so that the nearer one is taken first. */
+static void
+push_children(struct walk *walk, uint32_t first, double left, double right)
+{
+	int nearer = right < left;
+
+	assert(walk->height + 2 <= BOX_TREE_STACK);
+	walk->stack[walk->height++] = (struct walk_step){
+		first + (uint32_t)!nearer, nearer ? left : right};
+	walk->stack[walk->height++] = (struct walk_step){
+		first + (uint32_t)nearer, nearer ? right : left};
+}
+
+/* The nearest in a leaf; `square` is the hit's distance, squared. */
+static void
+nearest_in_leaf(const struct triangle_tree *tree, const struct box_node *node,
+	struct tcs_point from, struct tree_hit *hit, double *square)
+{
+	for (uint32_t i = node->first; i < node->first + node->count; i++) {
+		struct tcs_point at =
+			triangle_nearest(&tree->shapes.at[i], from);
+		struct tcs_point way = vector_difference(at, from);
+		double distance = vector_dot(way, way);
+
+		if (distance > *square ||
+			(distance == *square && isfinite(hit->distance)))
+			continue;
+		*square = distance;
+		*hit = (struct tree_hit){
+			sqrt(distance), tree->boxes.items.at[i], at};
+	}
+}
+
+struct tree_hit
+triangle_tree_nearest(const struct triangle_tree *tree, uint32_t root,
+	struct tcs_point from, double reach)
+{
+	const struct box_node *nodes = tree->boxes.nodes.at;
+	struct tree_hit hit = {.distance = INFINITY};
+	struct walk walk = {.height = 1};
+	double square = reach * reach;
+
+	walk.stack[0] = (struct walk_step){
+		root, box_distance_squared(&nodes[root].box, from)};
+	while (walk.height > 0) {
+		struct walk_step step = walk.stack[--walk.height];
+		const struct box_node *node = &nodes[step.node];
+
+		if (step.distance > square)
+			continue;
+		if (node->count)
+			nearest_in_leaf(tree, node, from, &hit, &square);
+		else
+			push_children(&walk, node->first,
+				box_distance_squared(
+					&nodes[node->first].box, from),
+				box_distance_squared(
+					&nodes[node->first + 1].box, from));
+	}
+	return hit;
+}
+
+/* ---- rays ---------------------------------------------------------------- */
+
+/* Where the ray enters the box; INFINITY when it misses. */
+static double
+box_entry(const struct box *box, struct tcs_point origin,
+	struct tcs_point direction, double reach)
+{
+	const double at[3] = {origin.x, origin.y, origin.z};
+	const double way[3] = {direction.x, direction.y, direction.z};
+	double enter = 0, leave = reach;
+
+	for (int i = 0; i < 3; i++) {
+		double near, far;
+
+		if (!(fabs(way[i]) > 0)) {
+			if (at[i] < box->low[i] || at[i] > box->high[i])
+				return INFINITY;
+			continue;
+		}
+		near = (box->low[i] - at[i]) / way[i];
+		far = (box->high[i] - at[i]) / way[i];
+		enter = fmax(enter, fmin(near, far));
+		leave = fmin(leave, fmax(near, far));
+	}
+	/* Rounding must not lose a flat box. */
+	return enter <= leave * (1 + 1e-12) ? enter : INFINITY;
+}
+
+/* What a ray has met: the first hit, or all of them counted. */
+struct ray {
+	struct tcs_point origin, direction;
+	struct tree_hit first;
+	double reach;
+	bool count_all;
+	unsigned count;
+	double margin; /* the smallest, over all hits */
+};
+
+static void
+ray_in_leaf(const struct triangle_tree *tree, const struct box_node *node,
+	struct ray *ray)
+{
+	for (uint32_t i = node->first; i < node->first + node->count; i++) {
+		double t, margin;
+
+		if (!triangle_hit(&tree->shapes.at[i], ray->origin,
+			    ray->direction, &t, &margin) ||
+			!(t > 0) || t >= ray->reach)
+			continue;
+		ray->count++;
+		ray->margin = fmin(ray->margin, margin);
+		if (ray->count_all)
+			continue;
+		ray->reach = t;
+		ray->first = (struct tree_hit){t, tree->boxes.items.at[i],
+			vector_along(ray->origin, ray->direction, t)};
+	}
+}
+
+static void
+follow_ray(const struct triangle_tree *tree, uint32_t root, struct ray *ray)
+{
+	const struct box_node *nodes = tree->boxes.nodes.at;
+	struct walk walk = {.height = 1};
+
+	walk.stack[0] = (struct walk_step){root, 0};
+	while (walk.height > 0) {
+		struct walk_step step = walk.stack[--walk.height];
+		const struct box_node *node = &nodes[step.node];
+
+		if (step.distance >= ray->reach)
+			continue;
+		if (node->count)
+			ray_in_leaf(tree, node, ray);
+		else
+			push_children(&walk, node->first,
+				box_entry(&nodes[node->first].box, ray->origin,
+					ray->direction, ray->reach),
+				box_entry(&nodes[node->first + 1].box,
+					ray->origin, ray->direction,
+					ray->reach));
+	}
+}
+
+struct tree_hit
+triangle_tree_ray(const struct triangle_tree *tree, uint32_t root,
+	struct tcs_point origin, struct tcs_point direction, double reach)
+{
+	struct ray ray = {
+		.origin = origin,
+		.direction = direction,
+		.first = {.distance = INFINITY},
+		.reach = reach,
+	};
+
+	follow_ray(tree, root, &ray);
+	return ray.first;
+}
+
+bool
+triangle_tree_encloses(
+	const struct triangle_tree *tree, uint32_t root, struct tcs_point point)
+{
+	static const struct tcs_point directions[] = {
+		{0.267, 0.153, 0.951},
+		{-0.341, 0.527, 0.778},
+		{0.713, -0.619, 0.329},
+		{-0.557, -0.401, -0.727},
+		{0.829, 0.487, -0.275},
+	};
+	size_t count = sizeof directions / sizeof *directions;
+	bool encloses = false;
+
+	if (box_distance_squared(&tree->boxes.nodes.at[root].box, point) > 0)
+		return false;
+	for (size_t i = 0; i < count; i++) {
+		struct ray ray = {
+			.origin = point,
+			.direction = directions[i],
+			.reach = INFINITY,
+			.count_all = true,
+			.margin = 1,
+		};
+
+		follow_ray(tree, root, &ray);
+		encloses = ray.count % 2;
+		if (ray.margin > 1e-9)
+			break;
+	}
+	return encloses;
+}
+
+/* ---- the gap between two trees ------------------------------------------- */
+
+struct gap_step {
+	uint32_t a, b;
+	double distance; /* of their boxes, squared */
+};
+
+struct gap_walk {
+	struct gap_step stack[BOX_PAIR_STACK];
+	size_t height;
+	double square; /* of the best so far, or of the reach */
+	struct tree_gap gap;
+};
+
+static struct gap_step
+gap_step_of(const struct triangle_tree *tree, uint32_t a, uint32_t b)
+{
+	const struct box_node *nodes = tree->boxes.nodes.at;
+
+	return (struct gap_step){
+		a, b, box_gap_squared(&nodes[a].box, &nodes[b].box)};
+}
+
+static void
+push_steps(struct gap_walk *walk, struct gap_step p, struct gap_step q)
+{
+	bool nearer = q.distance < p.distance;
+
+	assert(walk->height + 2 <= BOX_PAIR_STACK);
+	walk->stack[walk->height++] = nearer ? p : q;
+	walk->stack[walk->height++] = nearer ? q : p;
+}
+
+static void
+gap_of_leaves(const struct triangle_tree *tree, const struct box_node *a,
+	const struct box_node *b, struct gap_walk *walk)
+{
+	for (uint32_t i = a->first; i < a->first + a->count; i++) {
+		for (uint32_t k = b->first; k < b->first + b->count; k++) {
+			struct tcs_point points[2];
+			double distance = triangle_gap(&tree->shapes.at[i],
+				&tree->shapes.at[k], points);
+
+			if (distance * distance > walk->square ||
+				distance >= walk->gap.distance)
+				continue;
+			walk->square = distance * distance;
+			walk->gap = (struct tree_gap){
+				distance, {points[0], points[1]}};
+		}
+	}
+}
+
+struct tree_gap
+triangle_tree_gap(const struct triangle_tree *tree, uint32_t a, uint32_t b,
+	double reach, double enough)
+{
+	const struct box_node *nodes = tree->boxes.nodes.at;
+	struct gap_walk walk = {
+		.height = 1, .square = reach * reach, .gap = {INFINITY}};
+
+	walk.stack[0] = gap_step_of(tree, a, b);
+	while (walk.height > 0 && walk.gap.distance > enough) {
+		struct gap_step step = walk.stack[--walk.height];
+		const struct box_node *m = &nodes[step.a], *n = &nodes[step.b];
+
+		if (step.distance > walk.square)
+			continue;
+		if (m->count && n->count)
+			gap_of_leaves(tree, m, n, &walk);
+		else if (n->count ||
+			(!m->count &&
+				box_diagonal(&m->box) >= box_diagonal(&n->box)))
+			push_steps(&walk, gap_step_of(tree, m->first, step.b),
+				gap_step_of(tree, m->first + 1, step.b));
+		else
+			push_steps(&walk, gap_step_of(tree, step.a, n->first),
+				gap_step_of(tree, step.a, n->first + 1));
+	}
+	return walk.gap;
+}
