@@ -131,6 +131,8 @@ spool_pour(struct spool *spool, FILE *to, const char *name,
 	uint64_t left = spool->size;
 	char *buffer;
 
+	if (!spool->size)
+		return TCS_OK;
 	if (!spool->file)
 		return fwrite(spool->held.at, 1, spool->held.count, to) ==
 				spool->held.count

@@ -45,13 +45,26 @@ terminal_close(char *text, size_t room)
 	close(terminal);
 }
 
-static void
-show_for(struct progress *progress, int milliseconds)
+static double
+seconds_now(void)
 {
-	for (int i = 0; i < milliseconds; i++) {
-		progress_show(progress, (uint64_t)i, 30, 120);
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+/* Show all the time, for so many seconds or, on a busy machine, more. */
+static double
+show_for(struct progress *progress, double seconds)
+{
+	double began = seconds_now();
+
+	for (uint64_t i = 0; seconds_now() - began < seconds; i++) {
+		progress_show(progress, i, 30, 120);
 		nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
 	}
+	return seconds_now() - began;
 }
 
 static int
@@ -74,7 +87,7 @@ the_first_second_is_silent(void)
 
 	terminal_open();
 	progress_begin(&progress, "prog", "objects", false);
-	show_for(&progress, 500);
+	show_for(&progress, 0.3);
 	progress_end(&progress);
 	terminal_close(text, sizeof text);
 	CHECK(!*text);
@@ -85,17 +98,19 @@ then_it_shows_six_times_a_second_at_most_and_wipes(void)
 {
 	struct progress progress;
 	char text[4096];
+	double seconds;
 	size_t length;
 
 	terminal_open();
 	progress_begin(&progress, "prog", "objects", false);
 	progress.began -= 1;
 	progress.last -= 1;
-	show_for(&progress, 800);
+	seconds = show_for(&progress, 0.8);
 	progress_end(&progress);
 	terminal_close(text, sizeof text);
-	CHECK(lines_in(text) >= 2 && lines_in(text) <= 8);
-	CHECK(strstr(text, "objects, 25 %, 1 s") != NULL);
+	CHECK(lines_in(text) >= 2);
+	CHECK(lines_in(text) <= 2 + (int)(6 * seconds));
+	CHECK(strstr(text, "objects, 25 %, ") != NULL);
 	length = strlen(text);
 	CHECK(length > 4 && !strcmp(text + length - 4, "\r\033[K"));
 }
@@ -110,7 +125,7 @@ quiet_or_no_terminal_is_silence(void)
 	progress_begin(&progress, "prog", "objects", true);
 	progress.began -= 10;
 	progress.last -= 10;
-	show_for(&progress, 10);
+	show_for(&progress, 0.01);
 	progress_end(&progress);
 	terminal_close(text, sizeof text);
 	CHECK(!*text);
