@@ -1,0 +1,242 @@
+#include "component_set.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "components.h"
+#include "vector.h"
+#include "weld.h"
+
+enum tcs_status
+component_set_add(struct component_set *set, const struct tcs_point corners[3],
+	uint32_t feature, struct tcs_fault *fault)
+{
+	uint32_t first = (uint32_t)set->points.count;
+
+	if (set->triangles.count >= (size_t)1 << 29)
+		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
+			"more than 2^29 triangles in one object");
+	if (array_grow(&set->points, 3) || array_grow(&set->triangles, 1) ||
+		array_grow(&set->features, 1))
+		return fault_memory(fault);
+	for (int i = 0; i < 3; i++)
+		set->points.at[set->points.count++] = corners[i];
+	set->triangles.at[set->triangles.count++] =
+		(struct tcs_triangle){{first, first + 1, first + 2}};
+	set->features.at[set->features.count++] = feature;
+	return TCS_OK;
+}
+
+struct triangle_shape
+component_set_shape(const struct component_set *set, size_t triangle)
+{
+	const uint32_t *corner = set->triangles.at[triangle].corner;
+
+	return (struct triangle_shape){{set->points.at[corner[0]],
+		set->points.at[corner[1]], set->points.at[corner[2]]}};
+}
+
+/* ---- building ------------------------------------------------------------ */
+
+static enum tcs_status
+weld(struct component_set *set, struct tcs_fault *fault)
+{
+	size_t count = set->points.count, distinct;
+	uint32_t *numbers = calloc(count + 1, sizeof *numbers);
+	enum tcs_status status;
+
+	if (!numbers)
+		return fault_memory(fault);
+	status = weld_points(set->points.at, count, numbers, &distinct, fault);
+	for (size_t i = 0; !status && i < count; i++)
+		set->points.at[numbers[i]] = set->points.at[i];
+	for (size_t i = 0; !status && i < set->triangles.count; i++)
+		for (int k = 0; k < 3; k++) {
+			uint32_t *corner = &set->triangles.at[i].corner[k];
+
+			*corner = numbers[*corner];
+		}
+	if (!status)
+		set->points.count = distinct;
+	free(numbers);
+	return status;
+}
+
+static enum tcs_status
+find_components(struct component_set *set, struct tcs_fault *fault)
+{
+	size_t count = set->triangles.count, found = 0;
+	enum tcs_status status = edge_table_build(&set->edges,
+		set->triangles.at, count, set->points.count, fault);
+
+	if (!status && array_grow(&set->numbers, count))
+		status = fault_memory(fault);
+	if (!status)
+		status = components_find(set->triangles.at, set->features.at,
+			count, &set->edges, set->numbers.at, &found, fault);
+	if (!status && array_grow(&set->components, found))
+		status = fault_memory(fault);
+	if (status)
+		return status;
+	set->numbers.count = count;
+	for (size_t i = 0; i < found; i++)
+		set->components.at[i] =
+			(struct component){.box = BOX_EMPTY, .closed = true};
+	set->components.count = found;
+	return TCS_OK;
+}
+
+/* List the triangles component by component. */
+static enum tcs_status
+list_triangles(struct component_set *set, struct tcs_fault *fault)
+{
+	size_t count = set->triangles.count;
+	uint32_t first = 0;
+
+	if (array_grow(&set->order, count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < count; i++)
+		set->components.at[set->numbers.at[i]].count++;
+	for (size_t i = 0; i < set->components.count; i++) {
+		set->components.at[i].first = first;
+		first += set->components.at[i].count;
+		set->components.at[i].count = 0;
+	}
+	for (size_t i = 0; i < count; i++) {
+		struct component *component =
+			&set->components.at[set->numbers.at[i]];
+
+		set->order.at[component->first + component->count++] =
+			(uint32_t)i;
+	}
+	set->order.count = count;
+	return TCS_OK;
+}
+
+/* Six times the volume between the triangle and the point. */
+static double
+volume_below(const struct triangle_shape *shape, struct tcs_point point)
+{
+	return vector_dot(vector_difference(shape->corner[0], point),
+		vector_cross(vector_difference(shape->corner[1], point),
+			vector_difference(shape->corner[2], point)));
+}
+
+static void
+measure(struct component_set *set, struct component *component)
+{
+	struct tcs_point origin = {0, 0, 0};
+	double volume = 0;
+
+	for (uint32_t i = 0; i < component->count; i++) {
+		struct triangle_shape shape = component_set_shape(
+			set, set->order.at[component->first + i]);
+
+		if (i == 0)
+			origin = shape.corner[0];
+		for (int k = 0; k < 3; k++)
+			box_add_point(&component->box, shape.corner[k]);
+		component->area += triangle_area(&shape);
+		volume += volume_below(&shape, origin);
+	}
+	component->volume = component->closed ? volume / 6 : 0;
+	box_add(&set->bounds, &component->box);
+}
+
+/* Uses of one edge by one component must cancel out. */
+static void
+find_open(struct component_set *set)
+{
+	size_t run;
+
+	for (size_t i = 0; i < set->edges.uses.count; i += run) {
+		const struct edge_use *use = &set->edges.uses.at[i];
+
+		run = edge_table_run(&set->edges, i);
+		for (size_t k = 0; k < run; k++) {
+			uint32_t number = set->numbers.at[use[k].triangle];
+			int balance = 0;
+
+			for (size_t m = 0; run < 64 && m < run; m++)
+				if (set->numbers.at[use[m].triangle] == number)
+					balance += use[m].forward ? 1 : -1;
+			if (balance || run >= 64)
+				set->components.at[number].closed = false;
+		}
+	}
+}
+
+static enum tcs_status
+grow_trees(struct component_set *set, struct tcs_fault *fault)
+{
+	size_t count = set->components.count;
+	struct box *boxes = calloc(count + 1, sizeof *boxes);
+	uint32_t *items = calloc(count + 1, sizeof *items);
+	enum tcs_status status = TCS_OK;
+
+	if (!boxes || !items)
+		status = fault_memory(fault);
+	for (size_t i = 0; !status && i < count; i++) {
+		struct component *component = &set->components.at[i];
+
+		measure(set, component);
+		boxes[i] = component->box;
+		items[i] = (uint32_t)i;
+		status = triangle_tree_add(&set->tree, set->points.at,
+			set->triangles.at, set->order.at + component->first,
+			component->count, &component->root, fault);
+	}
+	if (!status && count > 0)
+		status = box_tree_add(&set->boxes, boxes, items, count,
+			&set->box_root, fault);
+	free(boxes);
+	free(items);
+	return status;
+}
+
+enum tcs_status
+component_set_build(struct component_set *set, struct tcs_fault *fault)
+{
+	enum tcs_status status = weld(set, fault);
+
+	set->bounds = BOX_EMPTY;
+	if (!status)
+		status = find_components(set, fault);
+	if (!status)
+		status = list_triangles(set, fault);
+	if (status)
+		return status;
+	find_open(set);
+	return grow_trees(set, fault);
+}
+
+void
+component_set_clear(struct component_set *set)
+{
+	array_clear(&set->points);
+	array_clear(&set->triangles);
+	array_clear(&set->features);
+	array_clear(&set->numbers);
+	array_clear(&set->order);
+	array_clear(&set->components);
+	array_clear(&set->edges.uses);
+	array_clear(&set->tree.boxes.nodes);
+	array_clear(&set->tree.boxes.items);
+	array_clear(&set->tree.shapes);
+	array_clear(&set->boxes.nodes);
+	array_clear(&set->boxes.items);
+}
+
+void
+component_set_release(struct component_set *set)
+{
+	array_release(&set->points);
+	array_release(&set->triangles);
+	array_release(&set->features);
+	array_release(&set->numbers);
+	array_release(&set->order);
+	array_release(&set->components);
+	edge_table_release(&set->edges);
+	triangle_tree_release(&set->tree);
+	box_tree_release(&set->boxes);
+}

@@ -1,0 +1,56 @@
+/*
+ * One object as its components: a welded mesh in local metres, with a tree
+ * over the triangles of each component and one over the components' boxes.
+ */
+#ifndef TESSERA_COMPONENT_SET_H
+#define TESSERA_COMPONENT_SET_H
+
+#include "edge_table.h"
+#include "triangle_tree.h"
+
+struct component {
+	uint32_t first, count; /* of `order` */
+	uint32_t root; /* in `tree` */
+	struct box box;
+	double area; /* square metres */
+	double volume; /* cubic metres if closed, negative inside out; else 0 */
+	bool closed; /* every edge is used as often one way as the other */
+};
+
+/* All zero is empty; component_set_clear keeps the room. */
+struct component_set {
+	TCS_ARRAY(struct tcs_point) points;
+	TCS_ARRAY(struct tcs_triangle) triangles;
+	TCS_ARRAY(uint32_t) features; /* of each triangle */
+	TCS_ARRAY(uint32_t) numbers; /* the component of each triangle */
+	TCS_ARRAY(uint32_t) order; /* triangles, component by component */
+	TCS_ARRAY(struct component) components;
+	struct edge_table edges;
+	struct triangle_tree tree;
+	struct box_tree boxes;
+	uint32_t box_root; /* in `boxes`, when there are components */
+	struct box bounds;
+};
+
+/*
+ * Put one triangle behind those there are: three points, and its feature.
+ * Fails with TCS_NO_MEMORY, or TCS_LIMIT beyond 2²⁹ triangles.
+ */
+enum tcs_status component_set_add(struct component_set *set,
+	const struct tcs_point corners[3], uint32_t feature,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Once all are there: weld, find the components, grow the trees. Points are
+ * distinct from then on. Takes n log n steps. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status component_set_build(
+	struct component_set *set, struct tcs_fault *fault) TCS_CHECKED;
+
+void component_set_clear(struct component_set *set);
+void component_set_release(struct component_set *set);
+
+struct triangle_shape component_set_shape(
+	const struct component_set *set, size_t triangle);
+
+#endif
