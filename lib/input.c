@@ -301,9 +301,8 @@ spool_to(struct input *input, int fd, struct tcs_fault *fault)
 	return TCS_OK;
 }
 
-/* An open file without a name, in $TMPDIR or else /tmp. */
-static int
-open_nameless(void)
+int
+input_nameless(void)
 {
 	const char *folder = getenv("TMPDIR");
 	char name[PATH_MAX];
@@ -329,7 +328,7 @@ input_spool(struct input *input, struct tcs_fault *fault)
 
 	if (input->can_rewind)
 		return TCS_OK;
-	fd = open_nameless();
+	fd = input_nameless();
 	if (fd < 0)
 		return fault_system(fault, "cannot create", "a temporary file");
 	status = spool_to(input, fd, fault);

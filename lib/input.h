@@ -44,6 +44,12 @@ enum tcs_status input_rewind(
 enum tcs_status input_spool(
 	struct input *input, struct tcs_fault *fault) TCS_CHECKED;
 
+/*
+ * An open file without a name, in $TMPDIR or else /tmp, to write to and read
+ * back; it vanishes with the process. -1 with errno set on failure.
+ */
+int input_nameless(void);
+
 /* Bytes consumed of what is stored, for progress against `size`. */
 uint64_t input_consumed(const struct input *input);
 
