@@ -1,0 +1,43 @@
+/*
+ * Ids: legal, and unique in the file.
+ *
+ * An id is an NCName (XML Namespaces 1.0, 3). Sets keep 64-bit hashes, so a
+ * file's ids cost 11 to 22 bytes each; two ids of one hash, which is not to be
+ * expected below a billion ids, only give the second one another name.
+ */
+#ifndef TESSERA_CITYGML_IDS_H
+#define TESSERA_CITYGML_IDS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "arena.h"
+#include "fault.h"
+
+struct id_set {
+	uint64_t *slots; /* 0: free */
+	size_t room; /* a power of two, or 0 */
+	size_t count;
+};
+
+void id_set_release(struct id_set *set);
+void id_set_clear(struct id_set *set);
+bool id_set_has(const struct id_set *set, uint64_t hash);
+
+/* *added says whether it is new. Fails with TCS_NO_MEMORY. */
+enum tcs_status id_set_add(struct id_set *set, uint64_t hash, bool *added,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Of the text; never 0. */
+uint64_t id_hash(const char *id);
+
+bool id_is_legal(const char *id);
+
+/*
+ * The id with what no NCName may have replaced by '_'; the same pointer when
+ * nothing needs to be. NULL without memory.
+ */
+const char *id_legal(const char *id, struct arena *arena);
+
+#endif
