@@ -1,0 +1,346 @@
+/* Structured values as elements, and addresses between versions of xAL. */
+#include <string.h>
+
+#include "citygml_compose.h"
+
+static const struct tcs_attribute *
+attribute_at(const struct composer *composer, uint32_t index)
+{
+	return &composer->object.attributes.at[index];
+}
+
+static const char *
+name_at(const struct composer *composer, uint32_t index)
+{
+	return compose_text(composer, attribute_at(composer, index)->name);
+}
+
+static bool
+is_xml_attribute(const char *name)
+{
+	return *name == '@' && id_is_legal(name + 1);
+}
+
+/* xAL 3 has its attributes in its namespace, but for these. */
+static const char *
+prefix_of(const struct composer *composer, const char *module, const char *name)
+{
+	static const char *const common[] = {"DateValidFrom", "DateValidTo",
+		"Abbreviation", "DataQualityType", "ValidFrom", "ValidTo",
+		"LanguageCode"};
+
+	if (!strcmp(name, "href"))
+		return "xlink:";
+	if (!compose_is_3(composer) || strcmp(module, "xAL"))
+		return "";
+	for (size_t i = 0; i < sizeof common / sizeof *common; i++)
+		if (!strcmp(name, common[i]))
+			return "ct:";
+	return "xAL:";
+}
+
+static void
+write_xml_attributes(
+	struct composer *composer, uint32_t index, const char *module)
+{
+	struct markup *markup = &composer->out->markup;
+	uint32_t member = composer->first_member.at[index];
+
+	for (; member != TCS_NONE; member = composer->next_member.at[member]) {
+		const char *name = name_at(composer, member);
+		const char *value = compose_text(
+			composer, attribute_at(composer, member)->value);
+		char qualified[128];
+
+		if (!is_xml_attribute(name) || strlen(name) > 100)
+			continue;
+		strcpy(qualified, prefix_of(composer, module, name + 1));
+		strcat(qualified, name + 1);
+		markup_attribute(markup, qualified, value);
+	}
+}
+
+/* An address is a feature, and in 3.0 has an id. */
+static void
+open_element(struct composer *composer, uint32_t index, const char *module)
+{
+	const struct tcs_attribute *attribute = attribute_at(composer, index);
+	const char *name = name_at(composer, index);
+	const char *unit = compose_text(composer, attribute->unit);
+	const char *space = compose_text(composer, attribute->code_space);
+	const char *value = compose_text(composer, attribute->value);
+	struct markup *markup = &composer->out->markup;
+
+	markup_start(markup, module, name);
+	if (compose_is_3(composer) && !strcmp(module, "core") &&
+		!strcmp(name, "Address"))
+		markup_attribute(markup, "gml:id", compose_id(composer, ""));
+	if (*unit)
+		markup_attribute(markup, "uom", unit);
+	if (*space)
+		markup_attribute(markup, "codeSpace", space);
+	write_xml_attributes(composer, index, module);
+	if (*value)
+		markup_text(markup, value);
+}
+
+/* The points of an address stand behind its text. */
+static void
+close_element(struct composer *composer, uint32_t index, const char *module)
+{
+	const char *name = name_at(composer, index);
+	uint32_t above = attribute_at(composer, index)->parent;
+
+	if (!strcmp(name, "Address") && !strcmp(module, "core") &&
+		above != TCS_NONE)
+		address_points_write(composer, above);
+	markup_end(&composer->out->markup, module, name);
+}
+
+static bool
+is_element(const struct composer *composer, uint32_t index)
+{
+	return id_is_legal(name_at(composer, index)) &&
+		*name_at(composer, index);
+}
+
+/* The next element at or behind a member; TCS_NONE for none. */
+static uint32_t
+next_element(const struct composer *composer, uint32_t member)
+{
+	while (member != TCS_NONE && !is_element(composer, member))
+		member = composer->next_member.at[member];
+	return member;
+}
+
+/* The module of what is below this element. */
+static const char *
+inner_module(
+	const struct composer *composer, uint32_t index, const char *module)
+{
+	return strcmp(name_at(composer, index), "xalAddress") ? module : "xAL";
+}
+
+static const char *
+module_at(const struct composer *composer, uint32_t index, uint32_t set,
+	const char *module)
+{
+	while (index != set) {
+		index = attribute_at(composer, index)->parent;
+		if (index != TCS_NONE &&
+			!strcmp(name_at(composer, index), "xalAddress"))
+			return "xAL";
+		if (index == TCS_NONE)
+			break;
+	}
+	return module;
+}
+
+void
+members_write(struct composer *composer, uint32_t set, const char *module)
+{
+	uint32_t at = next_element(composer, composer->first_member.at[set]);
+	const char *now = inner_module(composer, set, module);
+
+	while (at != TCS_NONE) {
+		uint32_t below;
+
+		open_element(composer, at, now);
+		below = next_element(composer, composer->first_member.at[at]);
+		if (below != TCS_NONE) {
+			now = inner_module(composer, at, now);
+			at = below;
+			continue;
+		}
+		for (;;) {
+			uint32_t above = attribute_at(composer, at)->parent;
+
+			close_element(composer, at, now);
+			below = next_element(
+				composer, composer->next_member.at[at]);
+			if (below != TCS_NONE || above == set)
+				break;
+			at = above;
+			now = module_at(composer, at, set, module);
+		}
+		at = below;
+	}
+}
+
+/* ---- xAL 2.0 and 3.0 ------------------------------------------------------ */
+
+/* The common part: where a name stands in 3.0, and what 2.0 calls it. */
+static const struct {
+	const char *around, *after, *before;
+} parts[] = {
+	{"Country", "NameElement", "CountryName"},
+	{"AdministrativeArea", "NameElement", "AdministrativeAreaName"},
+	{"Locality", "NameElement", "LocalityName"},
+	{"Thoroughfare", "NameElement", "ThoroughfareName"},
+	{"Thoroughfare", "Number", "ThoroughfareNumber"},
+	{"PostCode", "Identifier", "PostalCodeNumber"},
+};
+
+enum { COUNTRY, AREA, LOCALITY, STREET, NUMBER, POST_CODE, PART_COUNT };
+
+static bool
+is_below(const struct composer *composer, uint32_t index, uint32_t set)
+{
+	while (index != TCS_NONE && index != set)
+		index = attribute_at(composer, index)->parent;
+	return index == set;
+}
+
+/* Fill in the parts; returns how many other leaves there are. */
+static size_t
+find_parts(const struct composer *composer, uint32_t set, bool from_3,
+	const char *found[PART_COUNT])
+{
+	size_t others = 0;
+
+	for (uint32_t i = set + 1; i < composer->object.attributes.count; i++) {
+		const char *name = name_at(composer, i);
+		const char *value = compose_text(
+			composer, attribute_at(composer, i)->value);
+		uint32_t above = attribute_at(composer, i)->parent;
+		size_t part = 0;
+
+		if (above == TCS_NONE)
+			break;
+		if (!*value || *name == '@' || !is_below(composer, i, set))
+			continue;
+		while (part < PART_COUNT &&
+			!(!found[part] &&
+				(from_3 ? !strcmp(name, parts[part].after) &&
+							!strcmp(name_at(composer,
+									above),
+								parts[part]
+									.around)
+					: !strcmp(name, parts[part].before))))
+			part++;
+		if (part < PART_COUNT)
+			found[part] = value;
+		else
+			others++;
+	}
+	return others;
+}
+
+static void
+write_3(struct composer *composer, const char *const found[PART_COUNT])
+{
+	struct markup *markup = &composer->out->markup;
+
+	markup_start(markup, "xAL", "Address");
+	for (size_t i = 0; i < PART_COUNT; i++) {
+		bool with_last =
+			i && !strcmp(parts[i].around, parts[i - 1].around);
+
+		if (with_last || (!found[i] && !(i == STREET && found[NUMBER])))
+			continue;
+		markup_start(markup, "xAL", parts[i].around);
+		if (found[i])
+			markup_leaf(markup, "xAL", parts[i].after, found[i]);
+		if (i == STREET && found[NUMBER])
+			markup_leaf(markup, "xAL", "Number", found[NUMBER]);
+		markup_end(markup, "xAL", parts[i].around);
+	}
+	markup_end(markup, "xAL", "Address");
+}
+
+static void
+write_locality_2(struct composer *composer, const char *const found[PART_COUNT])
+{
+	struct markup *markup = &composer->out->markup;
+
+	markup_start(markup, "xAL", "Locality");
+	markup_attribute(markup, "Type", "Town");
+	if (found[LOCALITY])
+		markup_leaf(markup, "xAL", "LocalityName", found[LOCALITY]);
+	if (found[STREET] || found[NUMBER]) {
+		markup_start(markup, "xAL", "Thoroughfare");
+		markup_attribute(markup, "Type", "Street");
+		if (found[NUMBER])
+			markup_leaf(markup, "xAL", "ThoroughfareNumber",
+				found[NUMBER]);
+		if (found[STREET])
+			markup_leaf(markup, "xAL", "ThoroughfareName",
+				found[STREET]);
+		markup_end(markup, "xAL", "Thoroughfare");
+	}
+	if (found[POST_CODE]) {
+		markup_start(markup, "xAL", "PostalCode");
+		markup_leaf(
+			markup, "xAL", "PostalCodeNumber", found[POST_CODE]);
+		markup_end(markup, "xAL", "PostalCode");
+	}
+	markup_end(markup, "xAL", "Locality");
+}
+
+static void
+write_2(struct composer *composer, const char *const found[PART_COUNT])
+{
+	struct markup *markup = &composer->out->markup;
+
+	markup_start(markup, "xAL", "AddressDetails");
+	markup_start(markup, "xAL", "Country");
+	if (found[COUNTRY])
+		markup_leaf(markup, "xAL", "CountryName", found[COUNTRY]);
+	if (found[AREA]) {
+		markup_start(markup, "xAL", "AdministrativeArea");
+		markup_leaf(
+			markup, "xAL", "AdministrativeAreaName", found[AREA]);
+	}
+	if (found[LOCALITY] || found[STREET] || found[NUMBER] ||
+		found[POST_CODE])
+		write_locality_2(composer, found);
+	if (found[AREA])
+		markup_end(markup, "xAL", "AdministrativeArea");
+	markup_end(markup, "xAL", "Country");
+	markup_end(markup, "xAL", "AddressDetails");
+}
+
+static void
+convert(struct composer *composer, uint32_t index, uint32_t xal, bool from_3)
+{
+	const char *found[PART_COUNT] = {0};
+	struct markup *markup = &composer->out->markup;
+	struct tcs_fault fault;
+
+	if (find_parts(composer, xal, from_3, found) &&
+		compose_note(composer, REPORT_SKIPPED, "part of an address",
+			"the other version of xAL has another place for it",
+			composer->nodes.at[0].id, &fault))
+		markup->failed = true;
+	markup_start(markup, "core", "Address");
+	if (compose_is_3(composer))
+		markup_attribute(markup, "gml:id", compose_id(composer, ""));
+	markup_start(markup, "core", "xalAddress");
+	if (from_3)
+		write_2(composer, found);
+	else
+		write_3(composer, found);
+	markup_end(markup, "core", "xalAddress");
+	address_points_write(composer, index);
+	markup_end(markup, "core", "Address");
+}
+
+void
+address_write(struct composer *composer, const struct item *item)
+{
+	const struct property *property = compose_property(composer, item);
+	const char *module = compose_module(composer, item->feature, property);
+	uint32_t address = value_member(composer, item->index, "Address");
+	uint32_t xal = value_member(composer, address, "xalAddress");
+	bool from_3 = xal != TCS_NONE &&
+		value_member(composer, xal, "Address") != TCS_NONE;
+	bool from_2 = xal != TCS_NONE &&
+		value_member(composer, xal, "AddressDetails") != TCS_NONE;
+
+	markup_start(&composer->out->markup, module, property->name);
+	if (compose_is_3(composer) ? from_2 : from_3)
+		convert(composer, item->index, xal, from_3);
+	else
+		members_write(composer, item->index, "core");
+	markup_end(&composer->out->markup, module, property->name);
+}

@@ -1,0 +1,536 @@
+#include "citygml_compose.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* ---- lifetimes ------------------------------------------------------------------ */
+
+void
+composed_release(struct composed *composed)
+{
+	markup_release(&composed->markup);
+	report_release(&composed->report);
+	array_release(&composed->defined);
+	array_release(&composed->needed);
+	array_release(&composed->linked);
+	array_release(&composed->holes);
+	array_release(&composed->outer_id);
+}
+
+void
+composer_release(struct composer *composer)
+{
+	object_release(&composer->object);
+	arena_release(&composer->arena);
+	id_set_release(&composer->ids);
+	array_release(&composer->nodes);
+	array_release(&composer->items);
+	array_release(&composer->pieces);
+	array_release(&composer->owners);
+	array_release(&composer->roots);
+	array_release(&composer->stack);
+	array_release(&composer->first_member);
+	array_release(&composer->next_member);
+	array_release(&composer->last_member);
+	array_release(&composer->addresses);
+	array_release(&composer->paints);
+	array_release(&composer->faces);
+	array_release(&composer->loops);
+	array_release(&composer->corners);
+	array_release(&composer->ring_ids);
+	array_release(&composer->slots);
+}
+
+static void
+clear(struct composer *composer, const struct id_set *taken,
+	struct composed *out, unsigned depth)
+{
+	composer->taken = taken;
+	composer->out = out;
+	composer->made = 0;
+	composer->outer_id = NULL;
+	composer->wants_outer_id = false;
+	composer->is_prototype = false;
+	arena_reset(&composer->arena);
+	id_set_clear(&composer->ids);
+	array_clear(&composer->items);
+	array_clear(&composer->roots);
+	array_clear(&composer->addresses);
+	array_clear(&composer->nodes);
+	markup_clear(&out->markup, depth);
+	report_clear(&out->report);
+	array_clear(&out->defined);
+	array_clear(&out->needed);
+	array_clear(&out->linked);
+	array_clear(&out->holes);
+	out->has_bounds = false;
+	out->members = 0;
+	out->polygons = 0;
+}
+
+/* ---- shared by the files of the composer ---------------------------------------- */
+
+const char *
+compose_module(const struct composer *composer, uint32_t feature,
+	const struct property *property)
+{
+	const struct node *node = &composer->nodes.at[feature];
+
+	return strcmp(property->module, node->class->module) ? property->module
+							     : node->module;
+}
+
+enum tcs_status
+compose_note(struct composer *composer, enum report_severity severity,
+	const char *item, const char *reason, const char *id,
+	struct tcs_fault *fault)
+{
+	return report_item(&composer->out->report, severity, item, reason,
+		id && *id ? id : NULL, composer->number, fault);
+}
+
+static bool
+define(struct composer *composer, const char *id)
+{
+	uint64_t hash = id_hash(id);
+	struct tcs_fault fault;
+	bool added;
+
+	if (composer->taken && id_set_has(composer->taken, hash))
+		return false;
+	if (id_set_add(&composer->ids, hash, &added, &fault) ||
+		array_grow(&composer->out->defined, 1)) {
+		composer->out->markup.failed = true;
+		return true;
+	}
+	if (added)
+		composer->out->defined.at[composer->out->defined.count++] =
+			hash;
+	return added;
+}
+
+/* "object_7": the id of an object that has none. */
+static const char *
+base_id(struct composer *composer, char room[32])
+{
+	if (composer->nodes.count && composer->nodes.at[0].id)
+		return composer->nodes.at[0].id;
+	snprintf(room, 32, "object_%llu", (unsigned long long)composer->number);
+	return room;
+}
+
+/* "base_2", "base_3", … up to one that is free. */
+static const char *
+numbered(struct composer *composer, const char *base, const char *joint,
+	uint64_t *number)
+{
+	size_t length = strlen(base) + strlen(joint) + 24;
+	char *id = arena_get(&composer->arena, length);
+
+	if (!id) {
+		composer->out->markup.failed = true;
+		return "";
+	}
+	do
+		snprintf(id, length, "%s%s%llu", base, joint,
+			(unsigned long long)++*number);
+	while (!define(composer, id));
+	return id;
+}
+
+const char *
+compose_id(struct composer *composer, const char *wanted)
+{
+	uint64_t number = 1;
+	const char *id;
+	char room[32];
+
+	if (!*wanted && !composer->nodes.count)
+		return numbered(composer, base_id(composer, room), "_g",
+			&composer->made);
+	if (!*wanted) {
+		const char *base = base_id(composer, room);
+
+		if (base == room && define(composer, base)) {
+			id = arena_copy(&composer->arena, base, strlen(base));
+			if (id)
+				return id;
+			composer->out->markup.failed = true;
+			return "";
+		}
+		return numbered(composer, base, "_g", &composer->made);
+	}
+	id = id_legal(wanted, &composer->arena);
+	if (!id) {
+		composer->out->markup.failed = true;
+		return "";
+	}
+	return define(composer, id) ? id : numbered(composer, id, "_", &number);
+}
+
+/* ---- items ------------------------------------------------------------------------ */
+
+static bool
+is_foreign(const char *target)
+{
+	return strchr(target, '#') || strstr(target, "://") ||
+		strchr(target, '/');
+}
+
+/* The href of a relation; ids of the file are remembered. */
+static void
+write_href(struct composer *composer, const char *target)
+{
+	struct composed *out = composer->out;
+	const char *legal;
+
+	if (is_foreign(target)) {
+		markup_attribute(&out->markup, "xlink:href", target);
+		return;
+	}
+	legal = id_legal(target, &composer->arena);
+	if (!legal || array_grow(&out->linked, 1)) {
+		out->markup.failed = true;
+		return;
+	}
+	out->linked.at[out->linked.count++] = id_hash(legal);
+	markup_link(&out->markup, "xlink:href", legal);
+}
+
+static void
+write_role(struct composer *composer, const char *target, const char *note)
+{
+	struct markup *markup = &composer->out->markup;
+
+	markup_start(markup, "grp", "groupMember");
+	markup_start(markup, "grp", "Role");
+	markup_attribute(markup, "gml:id", compose_id(composer, ""));
+	if (*note)
+		markup_leaf(markup, "grp", "role", note);
+	markup_start(markup, "grp", "groupMember");
+	write_href(composer, target);
+	markup_end(markup, "grp", "groupMember");
+	markup_end(markup, "grp", "Role");
+	markup_end(markup, "grp", "groupMember");
+}
+
+void
+link_write(struct composer *composer, const struct item *item,
+	const char *target, const char *note)
+{
+	const struct property *property = compose_property(composer, item);
+	const char *module = compose_module(composer, item->feature, property);
+	struct markup *markup = &composer->out->markup;
+
+	if (property->content == CONTENT_ROLE) {
+		write_role(composer, target, note);
+		return;
+	}
+	markup_start(markup, module, property->name);
+	write_href(composer, target);
+	if (*note && property->content == CONTENT_MEMBER)
+		markup_attribute(markup, "role", note);
+	markup_end(markup, module, property->name);
+}
+
+static void
+write_relation(struct composer *composer, const struct item *item)
+{
+	const struct tcs_relation *relation =
+		&composer->object.relations.at[item->index];
+	const char *target = compose_text(composer, relation->target);
+
+	if (compose_property(composer, item)->content == CONTENT_GENERIC)
+		generic_write_string(composer,
+			compose_text(composer, relation->role), target);
+	else
+		link_write(composer, item, target,
+			compose_text(composer, relation->note));
+}
+
+static void
+write_group_member(struct composer *composer, const struct item *item)
+{
+	struct markup *markup = &composer->out->markup;
+
+	markup_start(markup, "grp", "groupMember");
+	markup_link(markup, "xlink:href", composer->nodes.at[item->index].id);
+	markup_end(markup, "grp", "groupMember");
+}
+
+/* A level of detail of the object, or "lane". */
+static const char *
+required_value(const struct composer *composer, unsigned content)
+{
+	static const char *const levels[] = {"0", "1", "2", "3", "4"};
+	unsigned lod = composer->object.geometries.count
+		? composer->object.geometries.at[0].lod
+		: 0;
+
+	if (content == CONTENT_GRANULARITY)
+		return "lane";
+	return levels[lod > 4				     ? 0
+			: lod == 4 && compose_is_3(composer) ? 3
+							     : lod];
+}
+
+static void
+write_item(struct composer *composer, const struct item *item)
+{
+	const struct property *property = compose_property(composer, item);
+	const char *module = compose_module(composer, item->feature, property);
+	struct markup *markup = &composer->out->markup;
+
+	switch (item->kind) {
+	case ITEM_NAME:
+		markup_leaf(markup, module, property->name,
+			compose_text(composer,
+				composer->object.features.at[item->index]
+					.name));
+		return;
+	case ITEM_ATTRIBUTE:
+	case ITEM_HEIGHT:
+	case ITEM_MEASURED:
+		value_write(composer, item);
+		return;
+	case ITEM_GENERIC:
+		generic_write(composer, item->index);
+		return;
+	case ITEM_APPEARANCE:
+		paints_write(composer);
+		return;
+	case ITEM_INSTANCE:
+		instance_write(composer, item);
+		return;
+	case ITEM_RELATION:
+		write_relation(composer, item);
+		return;
+	case ITEM_MEMBER:
+		write_group_member(composer, item);
+		return;
+	case ITEM_INSIDE:
+		markup_leaf(markup, module, property->name, "inside");
+		return;
+	case ITEM_PART_OF:
+		generic_write_string(
+			composer, "partOf", composer->nodes.at[item->index].id);
+		return;
+	case ITEM_ORIGINAL_ID:
+		generic_write_string(composer, "originalId",
+			compose_text(composer,
+				composer->object.features.at[item->index].id));
+		return;
+	case ITEM_REQUIRED:
+		markup_leaf(markup, module, property->name,
+			required_value(composer, property->content));
+		return;
+	default:
+		return;
+	}
+}
+
+/* ---- features -------------------------------------------------------------------- */
+
+static bool
+is_shape(const struct item *item)
+{
+	return item->kind == ITEM_GEOMETRY || item->kind == ITEM_POLYGON;
+}
+
+/* Geometry items of one property are written together. */
+static uint32_t
+shape_run(const struct composer *composer, uint32_t first, uint32_t end)
+{
+	const struct item *items = composer->items.at;
+	uint32_t at = first + 1;
+
+	if (compose_property(composer, &items[first])->many)
+		return 1;
+	while (at < end && is_shape(&items[at]) &&
+		items[at].property == items[first].property)
+		at++;
+	return at - first;
+}
+
+static enum tcs_status
+open_feature(
+	struct composer *composer, uint32_t feature, struct tcs_fault *fault)
+{
+	const struct node *node = &composer->nodes.at[feature];
+	struct markup *markup = &composer->out->markup;
+
+	if (array_grow(&composer->stack, 1))
+		return fault_memory(fault);
+	composer->stack.at[composer->stack.count++] = feature;
+	markup_start(markup, node->module, node->class->name);
+	if (node->id)
+		markup_attribute(markup, "gml:id", node->id);
+	return TCS_OK;
+}
+
+static void
+child_property(const struct composer *composer, uint32_t feature,
+	const char **module, const char **name)
+{
+	const struct node *node = &composer->nodes.at[feature];
+	const struct property *property;
+
+	*module = "core";
+	*name = "cityObjectMember";
+	if (node->property == SCHEMA_NONE)
+		return;
+	property = &composer->nodes.at[node->parent]
+			    .class->properties[node->property];
+	*module = compose_module(composer, node->parent, property);
+	*name = property->name;
+}
+
+static void
+close_feature(struct composer *composer)
+{
+	uint32_t feature = composer->stack.at[--composer->stack.count];
+	const struct node *node = &composer->nodes.at[feature];
+	const char *module, *name;
+
+	markup_end(&composer->out->markup, node->module, node->class->name);
+	child_property(composer, feature, &module, &name);
+	markup_end(&composer->out->markup, module, name);
+}
+
+/* The next item of the innermost feature; its children open. */
+static enum tcs_status
+step(struct composer *composer, struct tcs_fault *fault)
+{
+	uint32_t feature = composer->stack.at[composer->stack.count - 1];
+	struct node *node = &composer->nodes.at[feature];
+	const struct item *item = &composer->items.at[node->first_item];
+	const char *module, *name;
+	uint32_t run;
+
+	if (is_shape(item)) {
+		run = shape_run(composer, node->first_item, node->item_end);
+		node->first_item += run;
+		shapes_write(composer, item, run);
+		return TCS_OK;
+	}
+	node->first_item++;
+	if (item->kind != ITEM_CHILD) {
+		write_item(composer, item);
+		return TCS_OK;
+	}
+	child_property(composer, item->index, &module, &name);
+	markup_start(&composer->out->markup, module, name);
+	return open_feature(composer, item->index, fault);
+}
+
+static enum tcs_status
+write_member(struct composer *composer, uint32_t root, struct tcs_fault *fault)
+{
+	enum tcs_status status;
+
+	composer->out->members++;
+	array_clear(&composer->stack);
+	markup_start(&composer->out->markup, "core", "cityObjectMember");
+	status = open_feature(composer, root, fault);
+	while (!status && composer->stack.count) {
+		const struct node *node =
+			&composer->nodes
+				 .at[composer->stack.at[composer->stack.count -
+					 1]];
+
+		if (node->first_item == node->item_end)
+			close_feature(composer);
+		else
+			status = step(composer, fault);
+	}
+	return status;
+}
+
+/* ---- objects ---------------------------------------------------------------------- */
+
+static void
+find_bounds(const struct composer *composer, struct composed *out)
+{
+	const struct tcs_object *object = &composer->object;
+
+	for (size_t i = 0; i < object->vertices.count + object->instances.count;
+		i++) {
+		struct tcs_point at = i < object->vertices.count
+			? object->vertices.at[i]
+			: object->instances.at[i - object->vertices.count]
+				  .anchor;
+
+		if (!out->has_bounds)
+			out->lower = out->upper = at;
+		out->has_bounds = true;
+		out->lower.x = at.x < out->lower.x ? at.x : out->lower.x;
+		out->lower.y = at.y < out->lower.y ? at.y : out->lower.y;
+		out->lower.z = at.z < out->lower.z ? at.z : out->lower.z;
+		out->upper.x = at.x > out->upper.x ? at.x : out->upper.x;
+		out->upper.y = at.y > out->upper.y ? at.y : out->upper.y;
+		out->upper.z = at.z > out->upper.z ? at.z : out->upper.z;
+	}
+}
+
+enum tcs_status
+compose_object(struct composer *composer, const struct tcs_record *record,
+	const struct id_set *taken, struct composed *out,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status =
+		object_decode(&composer->object, record, fault);
+
+	clear(composer, taken, out, 1);
+	composer->number = record->before.objects;
+	if (!status)
+		status = plan_features(composer, fault);
+	if (!status)
+		status = place_items(composer, fault);
+	for (size_t i = 0; i < composer->roots.count && !status; i++)
+		status = write_member(composer, composer->roots.at[i], fault);
+	if (status)
+		return status;
+	find_bounds(composer, out);
+	return markup_check(&out->markup, fault);
+}
+
+static enum tcs_status
+keep_outer_id(struct composer *composer, struct composed *out,
+	struct tcs_fault *fault)
+{
+	const char *id = composer->outer_id ? composer->outer_id : "";
+	size_t length = strlen(id) + 1;
+
+	array_clear(&out->outer_id);
+	if (array_grow(&out->outer_id, length))
+		return fault_memory(fault);
+	memcpy(out->outer_id.at, id, length);
+	out->outer_id.count = length;
+	return TCS_OK;
+}
+
+enum tcs_status
+compose_prototype(struct composer *composer, const struct tcs_record *record,
+	const struct id_set *taken, struct composed *out,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status =
+		object_decode(&composer->object, record, fault);
+
+	clear(composer, taken, out, 1);
+	composer->number = record->before.prototypes;
+	composer->is_prototype = true;
+	if (!status)
+		status = place_prototype(composer, fault);
+	if (status)
+		return status;
+	prototype_write(composer);
+	status = keep_outer_id(composer, out, fault);
+	if (status)
+		return status;
+	if (composer->object.paints.count)
+		status = compose_note(composer, REPORT_SKIPPED, "paint",
+			"prototypes are written without appearance", NULL,
+			fault);
+	return status ? status : markup_check(&out->markup, fault);
+}

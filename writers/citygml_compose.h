@@ -1,0 +1,336 @@
+/*
+ * From an object of the stream to its CityGML text: the work of one worker.
+ *
+ * First everything gets its place (citygml_plan.c, citygml_places.c): each
+ * feature its class in the target version and the property that holds it; each
+ * attribute, geometry, polygon, relation an item in a property of its feature.
+ * Then the items are sorted by feature and property, which is the order the
+ * schema wants, and written:
+ *
+ *     citygml_compose.c    features, from the top down; ids
+ *     citygml_values.c     simple and structured attributes
+ *     citygml_spelling.c   values as the schema spells them
+ *     citygml_generic.c    generic attributes
+ *     citygml_address.c    addresses, between the versions of xAL
+ *     citygml_shapes.c     geometry
+ *     citygml_paints.c     appearance
+ *     citygml_pieces.c     polygons: repeated ones, ids
+ *     citygml_outline.c    rings of polygons that have only triangles
+ *
+ * Nothing recurses. What has no place is in the report.
+ */
+#ifndef TESSERA_CITYGML_COMPOSE_H
+#define TESSERA_CITYGML_COMPOSE_H
+
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "arena.h"
+#include "array.h"
+#include "citygml_ids.h"
+#include "citygml_markup.h"
+#include "citygml_schema.h"
+#include "report.h"
+#include "tcs.h"
+
+enum item_kind {
+	ITEM_NAME, /* the name of the feature */
+	ITEM_ATTRIBUTE, /* in its standard place */
+	ITEM_HEIGHT, /* measuredHeight as a structured height */
+	ITEM_MEASURED, /* the other way */
+	ITEM_GENERIC,
+	ITEM_APPEARANCE, /* all of them */
+	ITEM_GEOMETRY,
+	ITEM_POLYGON, /* of the geometry of another feature */
+	ITEM_INSTANCE,
+	ITEM_CHILD,
+	ITEM_RELATION,
+	ITEM_INSIDE, /* relationToConstruction, by the class */
+	ITEM_PART_OF, /* the id of the feature it was taken out of */
+	ITEM_ORIGINAL_ID, /* an id that was not legal */
+	ITEM_MEMBER, /* a feature that only is a member of a group there */
+	ITEM_REQUIRED, /* a property that must be there and came without */
+};
+
+struct item {
+	uint32_t feature;
+	uint32_t index; /* in the array its kind is about */
+	uint32_t order; /* of arrival */
+	uint16_t property; /* of the feature's class */
+	uint8_t kind; /* enum item_kind */
+};
+
+/* A feature on its way out. */
+struct node {
+	const struct schema_class *class;
+	const char *module; /* that of the class, or of the host of a surface */
+	const char *id; /* NULL: none */
+	uint32_t parent; /* the written feature around it; TCS_NONE */
+	uint32_t host; /* itself, or for a surface what it bounds */
+	uint32_t first_item, item_end;
+	uint16_t property; /* of the parent; SCHEMA_NONE: a member */
+	uint64_t taken; /* bit n: property n has its geometry */
+	uint8_t lods[8]; /* of a host: where each LOD goes; by its number */
+	uint16_t number; /* of the class */
+	bool melted; /* not written: what is below belongs to the parent */
+	bool spread; /* a group: what was below it hangs by the parent */
+	bool inside; /* said to be inside its construction */
+};
+
+/* A polygon on its way out. */
+struct piece {
+	const char *id; /* NULL: none needed */
+	uint32_t home; /* the feature below which it is written */
+	uint32_t first; /* polygon of which it is a repetition; TCS_NONE */
+	uint32_t first_face; /* outlines of one without rings */
+	uint32_t face_count;
+	uint32_t first_ring_id; /* of `ring_ids`; TCS_NONE: not needed */
+	bool foreign; /* written by an earlier object */
+	bool rings_need_ids; /* a texture refers to them */
+	bool is_target; /* something refers to it */
+};
+
+/* An outline found from triangles: its outer ring first. */
+struct face {
+	const char *id; /* of all but the first, whose id is the polygon's */
+	uint32_t first_loop, loop_count;
+};
+
+struct loop {
+	uint32_t first, count; /* of `corners` */
+	uint32_t part; /* which connected part of the polygon it bounds */
+	double area; /* squared */
+};
+
+/* A paint's material, or its texture. */
+struct painting {
+	uint32_t index; /* of the paint */
+	bool textured;
+};
+
+/* An address, and the geometry that says where it is. */
+struct address {
+	uint32_t attribute;
+	uint32_t points; /* TCS_NONE: none */
+};
+
+/* Where an instance's geometry belongs in the text. */
+struct hole {
+	size_t at;
+	uint32_t prototype;
+	unsigned depth; /* of indentation */
+};
+
+/* The images and materials of the stream so far. */
+struct gml_palette {
+	struct tcs_palette all;
+	pthread_rwlock_t lock;
+};
+
+/* What all workers are told; constant. */
+struct compose_plan {
+	struct schema schema;
+	struct gml_palette *palette;
+	bool north_first; /* the source's axis order */
+};
+
+/* What comes of one object. */
+struct composed {
+	struct markup markup;
+	struct report report;
+	TCS_ARRAY(uint64_t) defined; /* ids, hashed */
+	TCS_ARRAY(uint64_t) needed; /* ids of earlier objects */
+	TCS_ARRAY(uint64_t) linked; /* ids that relations name */
+	TCS_ARRAY(struct hole) holes;
+	TCS_ARRAY(char) outer_id; /* of a prototype: what instances link to */
+	struct tcs_point lower, upper; /* of its vertices */
+	bool has_bounds;
+	uint64_t members; /* city objects */
+	uint64_t polygons; /* written in full */
+};
+
+void composed_release(struct composed *composed);
+
+/* One worker's scratch, reused; all zero is empty. */
+struct composer {
+	const struct compose_plan *plan;
+	const struct id_set *taken; /* ids of the file so far, or NULL */
+	struct tcs_object object;
+	struct arena arena;
+	struct composed *out;
+	uint64_t number; /* of the object in the stream */
+	TCS_ARRAY(struct node) nodes;
+	TCS_ARRAY(struct item) items;
+	TCS_ARRAY(struct piece) pieces;
+	TCS_ARRAY(uint32_t) owners; /* geometry of each polygon */
+	TCS_ARRAY(uint32_t) roots; /* features written as members */
+	TCS_ARRAY(uint32_t) stack; /* features being written */
+	TCS_ARRAY(uint32_t) first_member; /* of attributes, as a tree */
+	TCS_ARRAY(uint32_t) next_member;
+	TCS_ARRAY(uint32_t) last_member;
+	TCS_ARRAY(struct address) addresses; /* in the order of features */
+	TCS_ARRAY(struct painting) paints; /* in the order they are written */
+	TCS_ARRAY(struct face) faces;
+	TCS_ARRAY(struct loop) loops;
+	TCS_ARRAY(uint32_t) corners;
+	TCS_ARRAY(const char *) ring_ids;
+	TCS_ARRAY(uint32_t) slots; /* a hash table of polygon ids */
+	struct id_set ids; /* defined in this object */
+	uint64_t made; /* ids made up so far */
+	const char *outer_id; /* of a prototype's geometry, once written */
+	bool wants_outer_id;
+	bool is_prototype; /* in coordinates of its own */
+};
+
+void composer_release(struct composer *composer);
+
+/*
+ * Compose the text of an object record. With `taken`, no id of it is defined
+ * again, and what earlier objects must have defined is written in full where
+ * they have not. Fails with TCS_BAD_INPUT (a broken record) and TCS_NO_MEMORY.
+ */
+enum tcs_status compose_object(struct composer *composer,
+	const struct tcs_record *record, const struct id_set *taken,
+	struct composed *out, struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Compose the geometry of a prototype record, the content of an implicit
+ * geometry's property, and its id.
+ */
+enum tcs_status compose_prototype(struct composer *composer,
+	const struct tcs_record *record, const struct id_set *taken,
+	struct composed *out, struct tcs_fault *fault) TCS_CHECKED;
+
+/* ---- shared by the files of the composer --------------------------------- */
+
+static inline bool
+compose_is_3(const struct composer *composer)
+{
+	return composer->plan->schema.version == GML_3_0;
+}
+
+static inline const char *
+compose_text(const struct composer *composer, tcs_text text)
+{
+	return composer->object.text.at + text;
+}
+
+static inline const struct property *
+compose_property(const struct composer *composer, const struct item *item)
+{
+	return &composer->nodes.at[item->feature]
+			.class->properties[item->property];
+}
+
+/* The module of a property of a feature: surfaces follow their host's. */
+const char *compose_module(const struct composer *composer, uint32_t feature,
+	const struct property *property);
+
+enum tcs_status compose_note(struct composer *composer,
+	enum report_severity severity, const char *item, const char *reason,
+	const char *id, struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * An id to define: `wanted` made legal and unique, or one made up when it is
+ * empty. Registers it. NULL without memory.
+ */
+const char *compose_id(struct composer *composer, const char *wanted);
+
+/* A property that links to a feature; `note` is the role of a group member. */
+void link_write(struct composer *composer, const struct item *item,
+	const char *target, const char *note);
+
+/* ---- citygml_plan.c, citygml_places.c ------------------------------------ */
+
+/* Nodes: class, place and id of every feature. */
+enum tcs_status plan_features(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+enum tcs_status item_add(struct composer *composer, uint32_t feature,
+	uint16_t property, enum item_kind kind, uint32_t index,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Items: everything else, sorted. */
+enum tcs_status place_items(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* ---- citygml_pieces.c ---------------------------------------------------- */
+
+/* One for each polygon, at home nowhere yet. */
+enum tcs_status pieces_clear(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Once they are at home: those that repeat an earlier polygon. */
+enum tcs_status pieces_find_repetitions(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Once it is known what refers to them: ids, and outlines. */
+enum tcs_status pieces_name(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Every polygon of a prototype at home in its first feature. */
+enum tcs_status place_prototype(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* ---- citygml_values.c, citygml_spelling.c ------------------------------------------------------ */
+
+/*
+ * Attributes of all features as items: in their standard place, converted if
+ * the versions differ, or generic.
+ */
+enum tcs_status values_place(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+void value_write(struct composer *composer, const struct item *item);
+
+/* The value as this content spells it; NULL where it cannot. */
+const char *value_as(struct composer *composer,
+	const struct tcs_attribute *attribute, unsigned content);
+
+/* A date as a year, or a time as a date, that says more than that. */
+bool value_is_shortened(const struct composer *composer,
+	const struct tcs_attribute *attribute, unsigned content);
+
+/* The member of a set called `name`; TCS_NONE for none. */
+uint32_t value_member(
+	const struct composer *composer, uint32_t set, const char *name);
+
+/* ---- citygml_generic.c --------------------------------------------------- */
+
+void generic_write(struct composer *composer, uint32_t attribute);
+/* A generic attribute of no attribute: a string. */
+void generic_write_string(
+	struct composer *composer, const char *name, const char *value);
+
+/* ---- citygml_address.c --------------------------------------------------- */
+
+void address_write(struct composer *composer, const struct item *item);
+/* Elements below a structured value, as the attribute tree has them. */
+void members_write(struct composer *composer, uint32_t set, const char *module);
+
+/* ---- citygml_shapes.c ---------------------------------------------------- */
+
+/* A run of items of one geometry property. */
+void shapes_write(
+	struct composer *composer, const struct item *items, size_t count);
+void address_points_write(struct composer *composer, uint32_t address);
+void prototype_write(struct composer *composer);
+void instance_write(struct composer *composer, const struct item *item);
+
+/* ---- citygml_paints.c ---------------------------------------------------- */
+
+/* Which polygons and rings need ids for being painted. */
+enum tcs_status paints_prepare(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+void paints_write(struct composer *composer);
+
+/* ---- citygml_outline.c --------------------------------------------------- */
+
+/*
+ * Faces of a polygon without rings, from the boundary of its triangles; the
+ * triangles themselves where that is not made of simple rings.
+ */
+enum tcs_status outline_find(struct composer *composer, uint32_t polygon,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+#endif

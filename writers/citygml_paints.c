@@ -1,0 +1,426 @@
+/*
+ * Appearance: what the paints of an object say, as materials and textures of
+ * its themes, local to its first feature.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "citygml_compose.h"
+
+/* In the order of enum tcs_wrap. */
+static const char *const wraps[] = {
+	"none", "wrap", "mirror", "clamp", "border"};
+
+/* ---- which paints, in which order ----------------------------------------------- */
+
+/* The polygon that stands in the text for a painted one; TCS_NONE for none. */
+static uint32_t
+painted(const struct composer *composer, const struct tcs_paint *paint)
+{
+	const struct piece *piece = &composer->pieces.at[paint->polygon];
+
+	if (piece->first != TCS_NONE)
+		return piece->first;
+	return piece->home == TCS_NONE && !piece->foreign ? TCS_NONE
+							  : paint->polygon;
+}
+
+static bool
+has_texture(const struct composer *composer, const struct tcs_paint *paint)
+{
+	return paint->image != TCS_NONE &&
+		composer->object.polygons.at[paint->polygon].ring_count > 0;
+}
+
+/* One painting; they are written in this order. */
+struct paint_key {
+	uint32_t of[5]; /* theme, image, material, flags, paint */
+};
+
+static int
+compare_keys(const void *left, const void *right)
+{
+	const uint32_t *a = ((const struct paint_key *)left)->of;
+	const uint32_t *b = ((const struct paint_key *)right)->of;
+
+	for (size_t i = 0; i < 5; i++)
+		if (a[i] != b[i])
+			return a[i] < b[i] ? -1 : 1;
+	return 0;
+}
+
+static enum tcs_status
+add_keys(struct composer *composer, struct paint_key *keys, size_t *count,
+	struct tcs_fault *fault)
+{
+	const struct tcs_object *object = &composer->object;
+
+	for (uint32_t i = 0; i < object->paints.count; i++) {
+		const struct tcs_paint *paint = &object->paints.at[i];
+		uint32_t polygon = painted(composer, paint);
+		struct paint_key key = {
+			{paint->theme, TCS_NONE, TCS_NONE, paint->flags, i}};
+
+		if (polygon == TCS_NONE)
+			continue;
+		composer->pieces.at[polygon].is_target = true;
+		if (has_texture(composer, paint)) {
+			composer->pieces.at[polygon].rings_need_ids = true;
+			key.of[1] = paint->image;
+			keys[(*count)++] = key;
+		} else if (paint->image != TCS_NONE) {
+			enum tcs_status status = compose_note(composer,
+				REPORT_SKIPPED, "texture",
+				"its polygon has no rings any more",
+				composer->nodes.at[0].id, fault);
+
+			if (status)
+				return status;
+		}
+		if (paint->material == TCS_NONE)
+			continue;
+		key.of[1] = TCS_NONE;
+		key.of[2] = paint->material;
+		keys[(*count)++] = key;
+	}
+	return TCS_OK;
+}
+
+enum tcs_status
+paints_prepare(struct composer *composer, struct tcs_fault *fault)
+{
+	const struct tcs_object *object = &composer->object;
+	uint16_t property = schema_find_content(
+		composer->nodes.at[0].class, CONTENT_APPEARANCE);
+	struct paint_key *keys;
+	enum tcs_status status;
+	size_t count = 0;
+
+	array_clear(&composer->paints);
+	if (!object->paints.count || property == SCHEMA_NONE)
+		return TCS_OK;
+	keys = arena_get(
+		&composer->arena, object->paints.count * 2 * sizeof *keys);
+	if (!keys || array_grow(&composer->paints, object->paints.count * 2))
+		return fault_memory(fault);
+	status = add_keys(composer, keys, &count, fault);
+	if (status || !count)
+		return status;
+	qsort(keys, count, sizeof *keys, compare_keys);
+	for (size_t i = 0; i < count; i++)
+		composer->paints.at[composer->paints.count++] =
+			(struct painting){.index = keys[i].of[4],
+				.textured = keys[i].of[1] != TCS_NONE};
+	return item_add(composer, 0, property, ITEM_APPEARANCE, 0, fault);
+}
+
+/* ---- materials and images ------------------------------------------------------- */
+
+/* Copies what is asked for: the palette may grow meanwhile. */
+static struct tcs_material
+material_at(struct composer *composer, uint32_t index)
+{
+	struct gml_palette *palette = composer->plan->palette;
+	struct tcs_material material;
+
+	pthread_rwlock_rdlock(&palette->lock);
+	material = palette->all.materials.at[index];
+	pthread_rwlock_unlock(&palette->lock);
+	return material;
+}
+
+struct image {
+	struct tcs_image is;
+	const char *uri, *mime, *type;
+};
+
+static const char *
+kept(struct composer *composer, const struct tcs_palette *palette,
+	tcs_text text)
+{
+	const char *from = palette_text(palette, text);
+	const char *copy = arena_copy(&composer->arena, from, strlen(from));
+
+	if (!copy)
+		composer->out->markup.failed = true;
+	return copy ? copy : "";
+}
+
+static struct image
+image_at(struct composer *composer, uint32_t index)
+{
+	struct gml_palette *palette = composer->plan->palette;
+	struct image image;
+
+	pthread_rwlock_rdlock(&palette->lock);
+	image.is = palette->all.images.at[index];
+	image.uri = kept(composer, &palette->all, image.is.uri);
+	image.mime = kept(composer, &palette->all, image.is.mime);
+	image.type = kept(composer, &palette->all, image.is.type);
+	pthread_rwlock_unlock(&palette->lock);
+	return image;
+}
+
+/* ---- writing -------------------------------------------------------------------- */
+
+/* The shortest decimal that is the same float. */
+static void
+print_float(char out[32], float value)
+{
+	int digits = 6;
+
+	do
+		snprintf(out, 32, "%.*g", digits, (double)value);
+	while (strtof(out, NULL) != value && ++digits <= 9);
+}
+
+static void
+write_floats(struct composer *composer, const char *name, const float *values,
+	unsigned count)
+{
+	char text[160] = "";
+
+	for (unsigned i = 0; i < count; i++) {
+		char number[32];
+
+		print_float(number, values[i]);
+		if (i)
+			strcat(text, " ");
+		strcat(text, number);
+	}
+	markup_leaf(&composer->out->markup, "app", name, text);
+}
+
+static void
+start_feature(struct composer *composer, const char *name)
+{
+	markup_start(&composer->out->markup, "app", name);
+	if (compose_is_3(composer))
+		markup_attribute(&composer->out->markup, "gml:id",
+			compose_id(composer, ""));
+}
+
+static void
+write_target(struct composer *composer, const struct tcs_paint *paint)
+{
+	const struct piece *piece =
+		&composer->pieces.at[painted(composer, paint)];
+	struct markup *markup = &composer->out->markup;
+
+	for (uint32_t i = 0; i == 0 || i < piece->face_count; i++) {
+		const char *id = i
+			? composer->faces.at[piece->first_face + i].id
+			: piece->id;
+
+		if (!id)
+			continue;
+		markup_start(markup, "app", "target");
+		markup_text(markup, "#");
+		markup_text(markup, id);
+		markup_end(markup, "app", "target");
+	}
+}
+
+static void
+write_material(
+	struct composer *composer, const struct painting *from, size_t count)
+{
+	const struct tcs_paint *paints = composer->object.paints.at;
+	const struct tcs_paint *paint = &paints[from->index];
+	struct tcs_material material = material_at(composer, paint->material);
+	struct markup *markup = &composer->out->markup;
+
+	start_feature(composer, "X3DMaterial");
+	if (paint->flags & TCS_PAINT_BACK)
+		markup_leaf(markup, "app", "isFront", "false");
+	write_floats(composer, "ambientIntensity", &material.ambient, 1);
+	write_floats(composer, "diffuseColor", material.diffuse, 3);
+	write_floats(composer, "emissiveColor", material.emissive, 3);
+	write_floats(composer, "specularColor", material.specular, 3);
+	write_floats(composer, "shininess", &material.shininess, 1);
+	write_floats(composer, "transparency", &material.transparency, 1);
+	markup_leaf(
+		markup, "app", "isSmooth", material.smooth ? "true" : "false");
+	for (size_t i = 0; i < count; i++)
+		write_target(composer, &paints[from[i].index]);
+	markup_end(markup, "app", "X3DMaterial");
+}
+
+static void
+write_coordinates(struct composer *composer, const struct tcs_paint *paint,
+	const struct tcs_ring *ring)
+{
+	const struct tcs_polygon *polygon =
+		&composer->object.polygons.at[paint->polygon];
+	const struct tcs_texcoord *at =
+		&composer->object.texcoords.at[paint->first_texcoord +
+			ring->first_vertex - polygon->first_vertex];
+	struct markup *markup = &composer->out->markup;
+
+	markup_begin_text(markup);
+	for (uint32_t i = 0; i <= ring->vertex_count; i++) {
+		markup_number(markup, at[i % ring->vertex_count].s);
+		markup_number(markup, at[i % ring->vertex_count].t);
+	}
+}
+
+/* In 1.0 and 2.0 the ring is an attribute; in 3.0 rings follow, in order. */
+static void
+write_coordinate_list(struct composer *composer, const struct tcs_paint *paint)
+{
+	const struct tcs_polygon *polygon =
+		&composer->object.polygons.at[paint->polygon];
+	const struct piece *piece =
+		&composer->pieces.at[painted(composer, paint)];
+	const char *const *ids = composer->ring_ids.at + piece->first_ring_id;
+	struct markup *markup = &composer->out->markup;
+
+	markup_start(markup, "app", "TexCoordList");
+	for (uint32_t i = 0; i < polygon->ring_count; i++) {
+		markup_start(markup, "app", "textureCoordinates");
+		if (!compose_is_3(composer))
+			markup_link(markup, "ring", ids[i]);
+		write_coordinates(composer, paint,
+			&composer->object.rings.at[polygon->first_ring + i]);
+		markup_end(markup, "app", "textureCoordinates");
+	}
+	for (uint32_t i = 0; compose_is_3(composer) && i < polygon->ring_count;
+		i++) {
+		markup_start(markup, "app", "ring");
+		markup_text(markup, "#");
+		markup_text(markup, ids[i]);
+		markup_end(markup, "app", "ring");
+	}
+	markup_end(markup, "app", "TexCoordList");
+}
+
+static void
+write_texture_target(struct composer *composer, const struct tcs_paint *paint)
+{
+	const struct piece *piece =
+		&composer->pieces.at[painted(composer, paint)];
+	struct markup *markup = &composer->out->markup;
+
+	if (!piece->id || piece->first_ring_id == TCS_NONE)
+		return;
+	if (!compose_is_3(composer)) {
+		markup_start(markup, "app", "target");
+		markup_link(markup, "uri", piece->id);
+		write_coordinate_list(composer, paint);
+		markup_end(markup, "app", "target");
+		return;
+	}
+	markup_start(markup, "app", "textureParameterization");
+	start_feature(composer, "TextureAssociation");
+	write_target(composer, paint);
+	markup_start(markup, "app", "textureParameterization");
+	write_coordinate_list(composer, paint);
+	markup_end(markup, "app", "textureParameterization");
+	markup_end(markup, "app", "TextureAssociation");
+	markup_end(markup, "app", "textureParameterization");
+}
+
+static bool
+is_texture_type(const char *type)
+{
+	return !strcmp(type, "specific") || !strcmp(type, "typical") ||
+		!strcmp(type, "unknown");
+}
+
+static bool
+has_border(const struct tcs_image *image)
+{
+	return image->border[0] != 0 || image->border[1] != 0 ||
+		image->border[2] != 0 || image->border[3] != 0;
+}
+
+static void
+write_texture(
+	struct composer *composer, const struct painting *from, size_t count)
+{
+	const struct tcs_paint *paints = composer->object.paints.at;
+	const struct tcs_paint *paint = &paints[from->index];
+	struct image image = image_at(composer, paint->image);
+	struct markup *markup = &composer->out->markup;
+
+	start_feature(composer, "ParameterizedTexture");
+	if (paint->flags & TCS_PAINT_BACK)
+		markup_leaf(markup, "app", "isFront", "false");
+	markup_leaf(markup, "app", "imageURI", image.uri);
+	if (*image.mime)
+		markup_leaf(markup, "app", "mimeType", image.mime);
+	if (is_texture_type(image.type))
+		markup_leaf(markup, "app", "textureType", image.type);
+	if (image.is.wrap <= TCS_WRAP_BORDER)
+		markup_leaf(markup, "app", "wrapMode", wraps[image.is.wrap]);
+	if (has_border(&image.is))
+		write_floats(composer, "borderColor", image.is.border, 4);
+	for (size_t i = 0; i < count; i++)
+		write_texture_target(composer, &paints[from[i].index]);
+	markup_end(markup, "app", "ParameterizedTexture");
+}
+
+/* Whether two paintings share a material or a texture of a theme. */
+static bool
+goes_with(const struct composer *composer, const struct painting *a,
+	const struct painting *b)
+{
+	const struct tcs_paint *p = &composer->object.paints.at[a->index];
+	const struct tcs_paint *q = &composer->object.paints.at[b->index];
+
+	return p->theme == q->theme && a->textured == b->textured &&
+		p->flags == q->flags &&
+		(a->textured ? p->image == q->image
+			     : p->material == q->material);
+}
+
+/* The paintings of one theme. */
+static void
+write_theme(
+	struct composer *composer, const struct painting *from, size_t count)
+{
+	const char *property =
+		compose_is_3(composer) ? "surfaceData" : "surfaceDataMember";
+	const char *around = compose_is_3(composer) ? "core" : "app";
+	struct markup *markup = &composer->out->markup;
+	tcs_text theme = composer->object.paints.at[from->index].theme;
+	size_t run;
+
+	markup_start(markup, around, "appearance");
+	start_feature(composer, "Appearance");
+	if (theme)
+		markup_leaf(
+			markup, "app", "theme", compose_text(composer, theme));
+	for (size_t i = 0; i < count; i += run) {
+		run = 1;
+		while (i + run < count &&
+			goes_with(composer, &from[i], &from[i + run]))
+			run++;
+		markup_start(markup, "app", property);
+		if (from[i].textured)
+			write_texture(composer, &from[i], run);
+		else
+			write_material(composer, &from[i], run);
+		markup_end(markup, "app", property);
+	}
+	markup_end(markup, "app", "Appearance");
+	markup_end(markup, around, "appearance");
+}
+
+void
+paints_write(struct composer *composer)
+{
+	const struct painting *all = composer->paints.at;
+	const struct tcs_paint *paints = composer->object.paints.at;
+	size_t count = composer->paints.count, run;
+
+	for (size_t i = 0; i < count; i += run) {
+		run = 1;
+		while (i + run < count &&
+			paints[all[i].index].theme ==
+				paints[all[i + run].index].theme)
+			run++;
+		write_theme(composer, &all[i], run);
+	}
+}

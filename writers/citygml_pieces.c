@@ -1,0 +1,197 @@
+/* Polygons on their way out: which are repeated, and what they are called. */
+#include <string.h>
+
+#include "citygml_compose.h"
+
+/* The slot of a polygon's id: the first polygon that has it, or free. */
+static uint32_t *
+find_slot(struct composer *composer, const char *id)
+{
+	size_t room = composer->slots.count;
+	size_t at = (size_t)id_hash(id) & (room - 1);
+
+	while (composer->slots.at[at] != TCS_NONE &&
+		strcmp(compose_text(composer,
+			       composer->object.polygons
+				       .at[composer->slots.at[at]]
+				       .id),
+			id))
+		at = (at + 1) & (room - 1);
+	return &composer->slots.at[at];
+}
+
+static enum tcs_status
+clear_slots(struct composer *composer, struct tcs_fault *fault)
+{
+	size_t room = 16;
+
+	while (room < composer->object.polygons.count * 2)
+		room *= 2;
+	array_clear(&composer->slots);
+	if (array_grow(&composer->slots, room))
+		return fault_memory(fault);
+	composer->slots.count = room;
+	memset(composer->slots.at, 0xff, room * sizeof *composer->slots.at);
+	return TCS_OK;
+}
+
+/* Whether it is written in full by an earlier object. */
+static enum tcs_status
+look_elsewhere(struct composer *composer, struct piece *piece, const char *id,
+	struct tcs_fault *fault)
+{
+	const char *legal = id_legal(id, &composer->arena);
+	uint64_t hash;
+
+	if (!legal)
+		return fault_memory(fault);
+	hash = id_hash(legal);
+	if (composer->taken && !id_set_has(composer->taken, hash))
+		return TCS_OK;
+	if (array_grow(&composer->out->needed, 1))
+		return fault_memory(fault);
+	composer->out->needed.at[composer->out->needed.count++] = hash;
+	piece->foreign = true;
+	piece->id = legal;
+	return TCS_OK;
+}
+
+enum tcs_status
+pieces_find_repetitions(struct composer *composer, struct tcs_fault *fault)
+{
+	const struct tcs_object *object = &composer->object;
+	enum tcs_status status = clear_slots(composer, fault);
+
+	for (uint32_t i = 0; i < object->polygons.count && !status; i++) {
+		const struct tcs_polygon *polygon = &object->polygons.at[i];
+		struct piece *piece = &composer->pieces.at[i];
+		uint32_t *slot;
+
+		if (piece->home == TCS_NONE || !polygon->id)
+			continue;
+		slot = find_slot(composer, compose_text(composer, polygon->id));
+		if (*slot == TCS_NONE) {
+			*slot = i;
+			if (polygon->flags & TCS_POLYGON_SHARED)
+				status = look_elsewhere(composer, piece,
+					compose_text(composer, polygon->id),
+					fault);
+		} else if (polygon->flags & TCS_POLYGON_SHARED) {
+			piece->first = *slot;
+			composer->pieces.at[*slot].is_target = true;
+		}
+	}
+	return status;
+}
+
+static void
+name_faces(struct composer *composer, const struct piece *piece)
+{
+	for (uint32_t i = 1; i < piece->face_count; i++)
+		composer->faces.at[piece->first_face + i].id =
+			piece->id ? compose_id(composer, piece->id) : NULL;
+}
+
+static enum tcs_status
+name_rings(struct composer *composer, const struct tcs_polygon *polygon,
+	struct piece *piece, struct tcs_fault *fault)
+{
+	if (!piece->rings_need_ids)
+		return TCS_OK;
+	piece->first_ring_id = (uint32_t)composer->ring_ids.count;
+	if (array_grow(&composer->ring_ids, polygon->ring_count))
+		return fault_memory(fault);
+	for (uint32_t i = 0; i < polygon->ring_count; i++) {
+		tcs_text id =
+			composer->object.rings.at[polygon->first_ring + i].id;
+
+		composer->ring_ids.at[composer->ring_ids.count++] =
+			compose_id(composer, compose_text(composer, id));
+	}
+	return TCS_OK;
+}
+
+/* Patches of a triangulated surface have no ids. */
+static bool
+is_patch(const struct composer *composer, uint32_t polygon)
+{
+	uint32_t geometry = composer->owners.at[polygon];
+
+	return geometry != TCS_NONE &&
+		composer->object.geometries.at[geometry].kind == TCS_TIN;
+}
+
+enum tcs_status
+pieces_name(struct composer *composer, struct tcs_fault *fault)
+{
+	const struct tcs_object *object = &composer->object;
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = 0; i < object->polygons.count && !status; i++) {
+		const struct tcs_polygon *polygon = &object->polygons.at[i];
+		struct piece *piece = &composer->pieces.at[i];
+
+		if (piece->home == TCS_NONE || piece->foreign ||
+			piece->first != TCS_NONE)
+			continue;
+		if (!polygon->ring_count) {
+			status = outline_find(composer, i, fault);
+			if (status)
+				return status;
+		}
+		if (is_patch(composer, i))
+			continue;
+		if (polygon->id || piece->is_target || compose_is_3(composer))
+			piece->id = compose_id(
+				composer, compose_text(composer, polygon->id));
+		name_faces(composer, piece);
+		status = name_rings(composer, polygon, piece, fault);
+	}
+	return status;
+}
+
+enum tcs_status
+pieces_clear(struct composer *composer, struct tcs_fault *fault)
+{
+	size_t count = composer->object.polygons.count;
+
+	array_clear(&composer->pieces);
+	array_clear(&composer->owners);
+	array_clear(&composer->faces);
+	array_clear(&composer->loops);
+	array_clear(&composer->corners);
+	array_clear(&composer->ring_ids);
+	if (array_grow(&composer->pieces, count) ||
+		array_grow(&composer->owners, count))
+		return fault_memory(fault);
+	composer->pieces.count = composer->owners.count = count;
+	for (size_t i = 0; i < count; i++) {
+		composer->pieces.at[i] = (struct piece){.home = TCS_NONE,
+			.first = TCS_NONE,
+			.first_ring_id = TCS_NONE};
+		composer->owners.at[i] = TCS_NONE;
+	}
+	return TCS_OK;
+}
+
+enum tcs_status
+place_prototype(struct composer *composer, struct tcs_fault *fault)
+{
+	const struct tcs_object *object = &composer->object;
+	enum tcs_status status = pieces_clear(composer, fault);
+
+	if (status)
+		return status;
+	for (uint32_t i = 0; i < object->geometries.count; i++) {
+		const struct tcs_geometry *geometry = &object->geometries.at[i];
+
+		for (uint32_t j = 0; j < geometry->polygon_count; j++) {
+			uint32_t polygon = geometry->first_polygon + j;
+
+			composer->pieces.at[polygon].home = 0;
+			composer->owners.at[polygon] = i;
+		}
+	}
+	status = pieces_find_repetitions(composer, fault);
+	return status ? status : pieces_name(composer, fault);
+}

@@ -1,0 +1,310 @@
+/* tcs2citygml: a component stream as CityGML. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "citygml_document.h"
+#include "crew.h"
+#include "output.h"
+#include "program.h"
+#include "report.h"
+#include "tally_report.h"
+#include "tcs.h"
+
+struct options {
+	enum gml_version version;
+	bool gzip;
+	uint64_t max_record;
+};
+
+/* A record on its way from the stream to the document. */
+struct passing {
+	struct tcs_record record;
+	struct composed composed;
+};
+
+struct run {
+	FILE *in;
+	struct output out;
+	struct tcs_reader reader;
+	struct tcs_record head_record;
+	struct tcs_head head;
+	struct gml_palette palette;
+	struct tcs_palette more; /* a palette record decoded */
+	struct compose_plan plan;
+	struct document document;
+	struct composer *composers; /* one per job */
+	struct passing *items;
+	size_t item_count;
+};
+
+static const char *
+parse_version(void *target, const char *argument)
+{
+	static const char *const names[] = {"1.0", "2.0", "3.0"};
+	enum gml_version *version = target;
+
+	for (unsigned i = 0; i < 3; i++)
+		if (!strcmp(argument, names[i])) {
+			*version = (enum gml_version)i;
+			return NULL;
+		}
+	return "not one of 1.0, 2.0, 3.0";
+}
+
+/* Palettes are taken here: workers look at them under the same lock. */
+static enum tcs_status
+take_palette(struct run *run, const struct tcs_record *record,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = palette_decode(&run->more, record, fault);
+
+	if (status)
+		return status;
+	pthread_rwlock_wrlock(&run->palette.lock);
+	status = palette_append(&run->palette.all, &run->more, fault);
+	pthread_rwlock_unlock(&run->palette.lock);
+	return status;
+}
+
+static enum tcs_status
+read_item(void *context, void *slot, bool *done, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	struct passing *item = slot;
+	enum tcs_status status;
+
+	*done = run->reader.ended;
+	if (*done)
+		return TCS_OK;
+	status = reader_next(&run->reader, &item->record, fault);
+	if (!status && item->record.type == TCS_PALETTE)
+		status = take_palette(run, &item->record, fault);
+	return status;
+}
+
+static enum tcs_status
+compose_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	struct passing *item = slot;
+	struct composer *composer = &run->composers[worker];
+
+	composer->plan = &run->plan;
+	switch (item->record.type) {
+	case TCS_OBJECT:
+		return compose_object(
+			composer, &item->record, NULL, &item->composed, fault);
+	case TCS_PROTOTYPE:
+		return compose_prototype(
+			composer, &item->record, NULL, &item->composed, fault);
+	default:
+		return TCS_OK;
+	}
+}
+
+static enum tcs_status
+write_item(void *context, void *slot, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	struct passing *item = slot;
+
+	switch (item->record.type) {
+	case TCS_OBJECT:
+	case TCS_PROTOTYPE:
+		return document_add(
+			&run->document, &item->composed, &item->record, fault);
+	case TCS_PALETTE:
+	case TCS_END:
+		return TCS_OK;
+	default:
+		return report_item(&run->document.report, REPORT_SKIPPED,
+			"record", "of a kind this program does not know", NULL,
+			item->record.at, fault);
+	}
+}
+
+static enum tcs_status
+read_head(
+	struct run *run, const struct options *options, struct tcs_fault *fault)
+{
+	enum tcs_status status;
+
+	status = reader_next(&run->reader, &run->head_record, fault);
+	if (!status)
+		status = head_decode(&run->head, &run->head_record, fault);
+	if (!status)
+		status =
+			schema_init(&run->plan.schema, options->version, fault);
+	if (status)
+		return status;
+	run->plan.palette = &run->palette;
+	run->plan.north_first =
+		(run->head.crs.at[0].flags & TCS_CRS_NORTH_FIRST) != 0;
+	return document_begin(&run->document, &run->plan, fault);
+}
+
+static enum tcs_status
+open_run(struct run *run, const struct command *command,
+	const struct options *options, struct tcs_fault *fault)
+{
+	run->item_count = crew_slots(command->jobs);
+	run->items = calloc(run->item_count, sizeof *run->items);
+	run->composers = calloc(command->jobs, sizeof *run->composers);
+	if (!run->items || !run->composers ||
+		pthread_rwlock_init(&run->palette.lock, NULL))
+		return fault_memory(fault);
+	run->in = command->input ? fopen(command->input, "rb") : stdin;
+	if (!run->in)
+		return fault_system(fault, "cannot open", command->input);
+	reader_init(&run->reader, run->in);
+	run->reader.max_record = options->max_record;
+	return read_head(run, options, fault);
+}
+
+static bool
+ends_in_gz(const char *name)
+{
+	size_t length = name ? strlen(name) : 0;
+
+	return length > 3 && !strcmp(name + length - 3, ".gz");
+}
+
+static enum tcs_status
+write_document(struct run *run, const struct command *command,
+	const struct options *options, struct tcs_fault *fault)
+{
+	bool gzip = options->gzip || ends_in_gz(command->output);
+	enum tcs_status status = TCS_OK;
+
+	if (command->strict)
+		status = report_strict(&run->document.report, fault);
+	if (!status)
+		status = output_open(&run->out, command->output, fault);
+	if (status)
+		return status;
+	status = document_end(
+		&run->document, &run->head, run->out.file, gzip ? 6 : 0, fault);
+	if (!status)
+		status = output_commit(&run->out, fault);
+	else
+		output_discard(&run->out);
+	return status;
+}
+
+static enum tcs_status
+convert(struct run *run, const struct command *command,
+	const struct options *options, struct tcs_fault *fault)
+{
+	enum tcs_status status = open_run(run, command, options, fault);
+	struct crew_plan plan = {
+		.context = run,
+		.slots = run->items,
+		.slot_size = sizeof *run->items,
+		.slot_count = run->item_count,
+		.read = read_item,
+		.work = compose_item,
+		.write = write_item,
+	};
+
+	if (!status)
+		status = crew_run(&plan, command->jobs, fault);
+	if (!status)
+		status = write_document(run, command, options, fault);
+	return status;
+}
+
+static void
+close_run(struct run *run, const struct command *command)
+{
+	for (size_t i = 0; run->items && i < run->item_count; i++) {
+		record_release(&run->items[i].record);
+		composed_release(&run->items[i].composed);
+	}
+	for (size_t i = 0; run->composers && i < command->jobs; i++)
+		composer_release(&run->composers[i]);
+	free(run->items);
+	free(run->composers);
+	document_release(&run->document);
+	schema_release(&run->plan.schema);
+	head_release(&run->head);
+	record_release(&run->head_record);
+	palette_release(&run->palette.all);
+	palette_release(&run->more);
+	reader_release(&run->reader);
+	if (run->in && run->in != stdin)
+		fclose(run->in);
+}
+
+/* The lines on standard error, and --stats. */
+static enum tcs_status
+tell(struct run *run, const struct command *command, struct tcs_fault *fault)
+{
+	struct report *report = &run->document.report;
+	enum tcs_status status;
+
+	if (!command->quiet)
+		report_print(report, command->program->name, stderr);
+	if (!command->stats)
+		return TCS_OK;
+	status = tally_report(&run->reader.tally, report, fault);
+	if (!status)
+		status = report_add(
+			report, "members", run->document.member_count, fault);
+	if (!status)
+		status = report_add(report, "polygons written",
+			run->document.polygons, fault);
+	if (!status)
+		status =
+			report_add(report, "bytes", run->document.bytes, fault);
+	if (!status)
+		status = report_write(
+			report, command->program->name, command->stats, fault);
+	return status;
+}
+
+int
+main(int argc, char **argv)
+{
+	struct options asked = {
+		.version = GML_2_0, .max_record = TCS_MAX_RECORD};
+	const struct option_row options[] = {
+		{.type = OPTION_PARSE,
+			.name = "citygml",
+			.argument = "1.0|2.0|3.0",
+			.help = "Write this version of CityGML (default: 2.0).",
+			.target = &asked.version,
+			.parse = parse_version},
+		{.type = OPTION_FLAG,
+			.name = "gzip",
+			.help = "Compress; names that end in .gz ask for it.",
+			.target = &asked.gzip},
+		{.type = OPTION_BYTES,
+			.name = "max-record",
+			.argument = "BYTES",
+			.help = "Refuse records of more bytes (default: 8G).",
+			.target = &asked.max_record},
+		{0},
+	};
+	const struct program program = {
+		.name = "tcs2citygml",
+		.synopsis = "[options] [in [out]]",
+		.summary = "Write a component stream as CityGML.",
+		.options = options,
+		.flags = PROGRAM_READS | PROGRAM_BINARY_IN,
+	};
+	struct command command;
+	struct tcs_fault fault;
+	struct run run = {0};
+	enum tcs_status status;
+	int code = EXIT_DONE;
+
+	program_begin(&program, argc, argv, &command);
+	status = convert(&run, &command, &asked, &fault);
+	if (!status)
+		status = tell(&run, &command, &fault);
+	if (status)
+		code = program_fail(&command, &fault);
+	close_run(&run, &command);
+	program_end(&command);
+	return code;
+}
