@@ -1,5 +1,5 @@
 # Are the solids of a CityGML file closed and the right way out? For files that
-# maketown writes: one element a line. Every edge of a solid must be passed once
+# maketown and tcs2citygml write: one element a line. Every edge of a solid must be passed once
 # each way, its outer shell must have a positive volume and its voids negative
 # ones. The last line counts solids and faults.
 
@@ -32,6 +32,8 @@ function points(    text, n, word, i) {
 /<gml:(CompositeSurface|Shell)/ && inside { shell_solid[shell] = solids }
 /<gml:Polygon/ {
 	polygon = attribute("gml:id")
+	if (polygon == "")
+		polygon = "polygon#" ++unnamed
 	if (inside && !oriented)
 		members[shell] = members[shell] "+" polygon " "
 	if (polygon in rings)
@@ -44,6 +46,8 @@ function points(    text, n, word, i) {
 /<\/gml:Polygon>/ { polygon = "" }
 /<gml:OrientableSurface/ {
 	oriented = attribute("gml:id")
+	if (oriented == "")
+		oriented = "oriented#" ++unnamed
 	sign = attribute("orientation")
 	if (inside)
 		members[shell] = members[shell] "+" oriented " "

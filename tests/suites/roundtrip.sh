@@ -1,0 +1,144 @@
+#!/bin/bash
+# CityGML through the stream and back: an equal stream, valid documents, ids
+# that are unique and links that lead somewhere.
+
+# shellcheck source=tests/check.sh
+. "$(dirname "$0")/../check.sh"
+
+PATH=$BUILD/bin:$PATH
+data=$ROOT/../shared/data
+schemas=$data/schemas
+all=0,1,2,3,4
+
+# validates VERSION FILE
+validates() {
+	[[ -e $schemas ]] || return 0
+	XML_CATALOG_FILES=$schemas/catalog.xml xmllint --huge --nonet --noout \
+		--schema "$schemas/citygml-$1.xsd" "$2"
+}
+
+same_stream() {
+	tcs2json "$1" before.json
+	tcs2json "$2" after.json
+	python3 "$ROOT/tests/same_stream.py" before.json after.json
+}
+
+# comes_back VERSION FILE: the same version out of the stream again.
+comes_back() {
+	citygml2tcs -q --lod "$all" "$2" a.tcs
+	tcs2citygml -q --citygml "$1" a.tcs out.gml
+	validates "$1" out.gml
+	python3 "$ROOT/tests/check_ids.py" out.gml "$2"
+	citygml2tcs -q --lod "$all" out.gml b.tcs
+	same_stream a.tcs b.tcs
+}
+
+town_comes_back() {
+	comes_back "$1" "$SAMPLES/town-$1.gml"
+}
+
+# goes_there VERSION FILE: out of the stream in another version, and back.
+goes_there() {
+	local from=$1 to=$2
+	citygml2tcs -q --lod "$all" "$3" a.tcs
+	tcs2citygml -q --citygml "$to" a.tcs there.gml
+	validates "$to" there.gml
+	python3 "$ROOT/tests/check_ids.py" there.gml "$3"
+	citygml2tcs -q --lod "$all" there.gml b.tcs
+	tcs2citygml -q --citygml "$from" b.tcs back.gml
+	validates "$from" back.gml
+	python3 "$ROOT/tests/check_ids.py" back.gml "$3"
+}
+
+town_goes_there() {
+	goes_there "$1" "$2" "$SAMPLES/town-$1.gml"
+}
+
+solids_stay_closed() {
+	citygml2tcs -q "$SAMPLES/town-$1.gml" |
+		tcs2citygml -q --citygml "$2" -o town.gml
+	awk -f "$ROOT/tests/closed.awk" town.gml
+}
+
+jobs_make_no_difference() {
+	citygml2tcs -q --lod "$all" "$SAMPLES/town-2.0.gml" town.tcs
+	tcs2citygml -q -j1 town.tcs one.gml
+	tcs2citygml -q -j4 town.tcs four.gml
+	tcs2citygml -q <town.tcs >pipe.gml
+	tcs2citygml -q -j3 -o packed.gml.gz town.tcs
+	cmp one.gml four.gml
+	cmp one.gml pipe.gml
+	gzip -dc packed.gml.gz | cmp - one.gml
+}
+
+# A polygon moved, a name changed, a surface less: the comparison notices.
+differences_are_noticed() {
+	citygml2tcs -q "$SAMPLES/town-2.0.gml" a.tcs
+	tcs2json a.tcs before.json
+	local change
+	for change in 's/458008/458009/' 's/Uferstraße/Uferweg/' \
+		's/"class":"RoofSurface"/"class":"WallSurface"/'; do
+		sed "0,/$(cut -d/ -f2 <<<"$change")/$change" before.json \
+			>after.json
+		status_is 1 python3 "$ROOT/tests/same_stream.py" \
+			before.json after.json
+	done
+	sed 's/gml:id="B1"/gml:id="B2"/' "$SAMPLES/town-2.0.gml" >twice.gml
+	status_is 1 python3 "$ROOT/tests/check_ids.py" twice.gml
+}
+
+# Two streams in one: every id is there twice.
+ids_stay_unique() {
+	citygml2tcs -q "$SAMPLES/town-2.0.gml" | tcs2json >town.json
+	grep '"record":"object"' town.json >objects.json
+	{
+		grep -v '"record":"end"' town.json
+		cat objects.json
+		grep '"record":"end"' town.json
+	} | json2tcs >twice.tcs
+	tcs2citygml -q -j1 twice.tcs one.gml
+	tcs2citygml -q -j4 twice.tcs four.gml
+	cmp one.gml four.gml
+	python3 "$ROOT/tests/check_ids.py" one.gml
+	validates 2.0 one.gml
+}
+
+# The polygons of a simplified stream have triangles only.
+outlines_come_from_triangles() {
+	citygml2tcs -q "$SAMPLES/town-2.0.gml" | tcs2json |
+		jq -c 'if .record == "object" then
+			(.geometries[]?.polygons[]? |
+				select(.triangles)) |= del(.rings, .flags) |
+			del(.paints) else . end' | json2tcs >bare.tcs
+	tcs2citygml -q bare.tcs bare.gml
+	validates 2.0 bare.gml
+	python3 "$ROOT/tests/check_ids.py" bare.gml
+	awk -f "$ROOT/tests/closed.awk" bare.gml
+}
+
+broken_streams_write_nothing() {
+	citygml2tcs -q "$SAMPLES/town-2.0.gml" town.tcs
+	head -c 100000 town.tcs >broken.tcs
+	status_is 1 tcs2citygml -q broken.tcs out.gml
+	[[ ! -e out.gml ]]
+	is "$(tcs2citygml -q broken.tcs 2>&1 >/dev/null | wc -l)" 1
+	is "$(tcs2citygml -q broken.tcs 2>/dev/null | wc -c)" 0
+	status_is 1 tcs2citygml -q -o /dev/full town.tcs
+}
+
+for version in 1.0 2.0 3.0; do
+	run_test town_comes_back $version
+done
+run_test town_goes_there 2.0 3.0
+run_test town_goes_there 3.0 2.0
+run_test town_goes_there 2.0 1.0
+run_test town_goes_there 1.0 3.0
+run_test solids_stay_closed 2.0 2.0
+run_test solids_stay_closed 2.0 3.0
+run_test solids_stay_closed 3.0 2.0
+run_test jobs_make_no_difference
+run_test differences_are_noticed
+run_test ids_stay_unique
+run_test outlines_come_from_triangles
+run_test broken_streams_write_nothing
+finish
