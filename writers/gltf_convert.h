@@ -7,10 +7,10 @@
 
 #include <stdint.h>
 
+#include "byte_index.h"
 #include "frame.h"
-#include "gltf_index.h"
 #include "gltf_mesh.h"
-#include "gltf_select.h"
+#include "lod_select.h"
 #include "report.h"
 #include "tcs.h"
 

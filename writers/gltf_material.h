@@ -14,8 +14,8 @@
 #include <stdint.h>
 
 #include "array.h"
+#include "byte_index.h"
 #include "fault.h"
-#include "gltf_index.h"
 
 struct tcs_palette;
 

@@ -15,9 +15,9 @@
 #include <stdint.h>
 
 #include "array.h"
+#include "byte_index.h"
 #include "fault.h"
 #include "gltf_column.h"
-#include "gltf_index.h"
 #include "report.h"
 #include "tcs.h"
 

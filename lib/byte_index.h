@@ -2,8 +2,8 @@
  * An index of byte strings: each different one gets a number, from 0, in the
  * order of their first appearance. All zero is the empty index.
  */
-#ifndef TESSERA_GLTF_INDEX_H
-#define TESSERA_GLTF_INDEX_H
+#ifndef TESSERA_BYTE_INDEX_H
+#define TESSERA_BYTE_INDEX_H
 
 #include <stdbool.h>
 #include <stddef.h>

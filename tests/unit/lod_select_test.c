@@ -1,8 +1,8 @@
 #include "check.h"
+#include "lib/byte_index.h"
+#include "lib/lod_select.h"
 #include "town_sample.h"
-#include "writers/gltf_index.h"
 #include "writers/gltf_name.h"
-#include "writers/gltf_select.h"
 
 static struct tcs_fault fault;
 static struct tcs_object object;

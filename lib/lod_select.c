@@ -1,4 +1,4 @@
-#include "gltf_select.h"
+#include "lod_select.h"
 
 #include <string.h>
 

@@ -1,12 +1,12 @@
 /*
- * Which geometries of an object are drawn, by level of detail.
+ * Which geometries of an object are taken, by level of detail.
  *
  * A level is chosen per *host*: a building, a part, an installation, a room.
  * Surfaces and openings belong to their host and share its choice, so a wall
  * is never shown at one level and the roof over it at another.
  */
-#ifndef TESSERA_GLTF_SELECT_H
-#define TESSERA_GLTF_SELECT_H
+#ifndef TESSERA_LOD_SELECT_H
+#define TESSERA_LOD_SELECT_H
 
 #include <stdbool.h>
 #include <stdint.h>

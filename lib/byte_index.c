@@ -1,4 +1,4 @@
-#include "gltf_index.h"
+#include "byte_index.h"
 
 #include <string.h>
 
