@@ -54,6 +54,7 @@ struct plan {
 	const char *from, *to; /* suffixes that --from and --to name */
 	bool dry_run;
 	char folder[MAX_NAME]; /* of the stages' --stats; "" for none */
+	char images[MAX_NAME]; /* the folder of the input */
 };
 
 /* ---- formats ------------------------------------------------------------ */
@@ -164,6 +165,26 @@ add_stage(struct plan *plan, const char *program, struct passed *passed,
 	return status;
 }
 
+/* Images are named relative to the input: its folder, unless told another. */
+static void
+choose_images(struct plan *plan, struct passed *passed)
+{
+	const char *input = plan->command.input;
+	const char *slash = input ? strrchr(input, '/') : NULL;
+	size_t length = slash ? (size_t)(slash - input) : 0;
+
+	while (passed->name && strcmp(passed->name, "images") != 0)
+		passed++;
+	if (!input || passed->value || length >= sizeof plan->images)
+		return;
+	strcpy(plan->images, slash ? "/" : ".");
+	if (length) {
+		memcpy(plan->images, input, length);
+		plan->images[length] = '\0';
+	}
+	passed->value = plan->images;
+}
+
 static enum tcs_status
 make_plan(struct plan *plan, struct passed *passed, struct tcs_fault *fault)
 {
@@ -183,6 +204,8 @@ make_plan(struct plan *plan, struct passed *passed, struct tcs_fault *fault)
 	if (!*reader && !*writer)
 		program_usage(
 			command, "from .tcs to .tcs there is nothing to do");
+	if (!strcmp(writer, "tcs2gltf"))
+		choose_images(plan, passed);
 	if (*reader)
 		status = add_stage(plan, reader, passed, fault);
 	if (!status && *writer)
@@ -391,6 +414,12 @@ static const struct passed passed_options[] = {
 	{"max-columns", "N", "Most columns of attributes in a table.",
 		{"tcs2gltf"}, NULL},
 	{"theme", "NAME", "Appearance theme for colours.", {"tcs2gltf"}, NULL},
+	{"textures", "WHICH", "Texture images: keep, drop.", {"tcs2gltf"},
+		NULL},
+	{"images", "DIR",
+		"Folder of the texture images (default: that of the input).",
+		{"tcs2gltf"}, NULL},
+	{"max-image", "BYTES", "Largest texture image.", {"tcs2gltf"}, NULL},
 	{"normals", "KIND", "Normals: flat, smooth, none.", {"tcs2gltf"}, NULL},
 	{"crease", "DEGREES", "Angle from which smooth normals keep an edge.",
 		{"tcs2gltf"}, NULL},

@@ -4,7 +4,6 @@
 #include <memory>
 #include <new>
 #include <ostream>
-#include <streambuf>
 #include <string>
 #include <vector>
 
@@ -18,6 +17,7 @@ extern "C" {
 }
 
 #include "gltf_assembly.h"
+#include "gltf_splitter.h"
 
 namespace
 {
@@ -27,162 +27,7 @@ constexpr std::size_t batch_size = 64;
 
 constexpr char feature_extension[] = "EXT_mesh_features";
 constexpr char metadata_extension[] = "EXT_structural_metadata";
-
-/* Top-level members that grow with the city; the others are `rest`. */
-enum member { ACCESSORS, MESHES, NODES, REST, MEMBERS };
-
-const char *const member_names[] = {"accessors", "meshes", "nodes"};
-
-/*
- * A sink for the JSON text that tinygltf writes: the elements of the arrays
- * that grow go to their spools, and the other members, where wanted, to the
- * spool of the rest. The text is compact, without white space.
- */
-class splitter : public std::streambuf
-{
-      public:
-	splitter(struct spool *members, bool keep_rest)
-	    : spools(members), keeps_rest(keep_rest)
-	{
-	}
-
-	enum tcs_status status = TCS_OK;
-	struct tcs_fault fault = {};
-
-      protected:
-	std::streamsize xsputn(
-		const char *text, std::streamsize count) override;
-	int_type overflow(int_type c) override;
-
-      private:
-	void put(const char *bytes, std::size_t size);
-	void flush(const char *end);
-	void begin_value(const char *next);
-	void end_value(const char *at);
-	void take_string(const char *at);
-	void take(const char *at);
-
-	struct spool *spools;
-	bool keeps_rest;
-	int depth = 0;
-	bool in_string = false, escaped = false, in_value = false;
-	bool inner = false; /* of an array whose brackets are dropped */
-	std::string key;
-	struct spool *to = nullptr; /* of the value; null: dropped */
-	const char *run = nullptr; /* bytes not yet put begin here */
-};
-
-std::streamsize
-splitter::xsputn(const char *text, std::streamsize count)
-{
-	run = in_value && (!inner || depth > 1) ? text : nullptr;
-	for (const char *at = text; at < text + count; at++)
-		take(at);
-	if (run)
-		flush(text + count);
-	return status ? 0 : count;
-}
-
-splitter::int_type
-splitter::overflow(int_type c)
-{
-	char text = traits_type::to_char_type(c);
-
-	return xsputn(&text, 1) == 1 ? c : traits_type::eof();
-}
-
-void
-splitter::put(const char *bytes, std::size_t size)
-{
-	if (to && !status && size)
-		status = spool_write(to, bytes, size, &fault);
-}
-
-void
-splitter::flush(const char *end)
-{
-	if (run && end > run)
-		put(run, static_cast<std::size_t>(end - run));
-	run = nullptr;
-}
-
-void
-splitter::begin_value(const char *next)
-{
-	in_value = true;
-	inner = false;
-	to = keeps_rest ? spools + REST : nullptr;
-	for (int i = 0; i < REST; i++)
-		if (key == member_names[i]) {
-			to = spools + i;
-			inner = true;
-		}
-	if (to && to->size)
-		put(",", 1);
-	if (!inner) {
-		key = '"' + key + "\":";
-		put(key.data(), key.size());
-	}
-	run = inner ? nullptr : next;
-}
-
-void
-splitter::end_value(const char *at)
-{
-	if (in_value)
-		flush(at);
-	in_value = false;
-	key.clear();
-}
-
-void
-splitter::take_string(const char *at)
-{
-	if (escaped)
-		escaped = false;
-	else if (*at == '\\')
-		escaped = true;
-	else if (*at == '"')
-		in_string = false;
-	if (in_string && !in_value && depth == 1)
-		key += *at;
-}
-
-void
-splitter::take(const char *at)
-{
-	if (in_string) {
-		take_string(at);
-		return;
-	}
-	switch (*at) {
-	case '"':
-		in_string = true;
-		break;
-	case '{':
-	case '[':
-		depth++;
-		if (depth == 2 && inner)
-			run = at + 1;
-		break;
-	case '}':
-	case ']':
-		depth--;
-		if (depth == 0 || (depth == 1 && inner))
-			end_value(at);
-		break;
-	case ':':
-		if (depth == 1)
-			begin_value(at + 1);
-		break;
-	case ',':
-		if (depth == 1)
-			end_value(at);
-		break;
-	default:
-		break;
-	}
-}
+constexpr char webp_extension[] = "EXT_texture_webp";
 
 /* The only place where exceptions end. */
 template <typename Work>
@@ -222,6 +67,8 @@ struct gltf_assembly {
 	tinygltf::Model rest; /* what is written once, at the end */
 	tinygltf::Value::Object classes; /* of the schema */
 	tinygltf::Value::Array tables;
+	int sampler_of[TEXTURE_WRAPS] = {-1, -1, -1};
+	bool has_webp = false;
 	int accessor_count = 0;
 	int mesh_count = 0;
 	int node_count = 0;
@@ -343,6 +190,9 @@ push_mesh(struct gltf_assembly *assembly, const char *name,
 	const struct assembly_mesh &mesh)
 {
 	std::map<std::string, int> attributes = push_vertices(assembly, mesh);
+	int texcoords = mesh.texcoords.count
+		? push_accessor(assembly, mesh.texcoords, TINYGLTF_TYPE_VEC2)
+		: -1;
 	tinygltf::Value sets = feature_sets(mesh);
 
 	assembly->batch.meshes.emplace_back();
@@ -355,6 +205,8 @@ push_mesh(struct gltf_assembly *assembly, const char *name,
 		made.primitives.emplace_back();
 		tinygltf::Primitive &primitive = made.primitives.back();
 		primitive.attributes = attributes;
+		if (from.is_textured)
+			primitive.attributes["TEXCOORD_0"] = texcoords;
 		primitive.indices = push_accessor(
 			assembly, from.indices, TINYGLTF_TYPE_SCALAR);
 		primitive.material = static_cast<int>(from.material);
@@ -418,7 +270,69 @@ assembly_add_material(struct gltf_assembly *assembly,
 		made.doubleSided = look->double_sided;
 		if (look->colour[3] < 1)
 			made.alphaMode = "BLEND";
+		else if (look->has_holes)
+			made.alphaMode = "MASK";
+		if (look->texture != MATERIAL_PLAIN)
+			made.pbrMetallicRoughness.baseColorTexture.index =
+				static_cast<int>(look->texture);
 		assembly->rest.materials.push_back(std::move(made));
+		return TCS_OK;
+	});
+}
+
+enum tcs_status
+assembly_add_image(struct gltf_assembly *assembly, uint32_t view,
+	const char *mime, const char *name, struct tcs_fault *fault) noexcept
+{
+	return guarded(fault, [&] {
+		tinygltf::Image made;
+
+		made.bufferView = static_cast<int>(view);
+		made.mimeType = mime;
+		made.name = name;
+		assembly->rest.images.push_back(std::move(made));
+		return TCS_OK;
+	});
+}
+
+static int
+find_sampler(struct gltf_assembly *assembly, enum texture_wrap wrap)
+{
+	static const int modes[TEXTURE_WRAPS] = {TINYGLTF_TEXTURE_WRAP_REPEAT,
+		TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT,
+		TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE};
+	std::vector<tinygltf::Sampler> &samplers = assembly->rest.samplers;
+	int &number = assembly->sampler_of[wrap];
+
+	if (number < 0) {
+		tinygltf::Sampler made;
+
+		made.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+		made.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+		made.wrapS = made.wrapT = modes[wrap];
+		number = static_cast<int>(samplers.size());
+		samplers.push_back(std::move(made));
+	}
+	return number;
+}
+
+enum tcs_status
+assembly_add_texture(struct gltf_assembly *assembly, uint32_t image,
+	enum texture_wrap wrap, bool is_webp, struct tcs_fault *fault) noexcept
+{
+	return guarded(fault, [&] {
+		tinygltf::Texture made;
+
+		made.sampler = find_sampler(assembly, wrap);
+		if (is_webp) {
+			made.extensions[webp_extension] =
+				tinygltf::Value(tinygltf::Value::Object{
+					{"source", value_of(image)}});
+			assembly->has_webp = true;
+		} else {
+			made.source = static_cast<int>(image);
+		}
+		assembly->rest.textures.push_back(std::move(made));
 		return TCS_OK;
 	});
 }
@@ -602,6 +516,10 @@ write_rest(struct gltf_assembly *assembly, const struct assembly_root &root,
 
 	if (status)
 		return status;
+	if (assembly->has_webp) {
+		assembly->rest.extensionsUsed.emplace_back(webp_extension);
+		assembly->rest.extensionsRequired.emplace_back(webp_extension);
+	}
 	assembly->rest.asset.version = "2.0";
 	assembly->rest.asset.generator = root.generator;
 	assembly->rest.asset.extras = describe_place(root);

@@ -8,7 +8,7 @@
  * This is the border to C++: no exception passes it, running out of memory is
  * TCS_NO_MEMORY, and text that is not UTF-8 is TCS_BAD_INPUT.
  *
- * source: glTF 2.0; EXT_mesh_features; EXT_structural_metadata;
+ * source: glTF 2.0; EXT_texture_webp; EXT_mesh_features; EXT_structural_metadata;
  * 3D Metadata Semantic Reference (ID, NAME).
  */
 #ifndef TESSERA_GLTF_ASSEMBLY_H
@@ -50,12 +50,14 @@ struct assembly_accessor {
 struct assembly_primitive {
 	struct assembly_accessor indices;
 	uint32_t material;
+	bool is_textured; /* it has the mesh's texture coordinates */
 };
 
 /* One mesh, whose primitives share their vertices. */
 struct assembly_mesh {
 	struct assembly_accessor positions;
 	struct assembly_accessor normals; /* count 0: none */
+	struct assembly_accessor texcoords; /* count 0: none */
 	struct assembly_accessor sets[ASSEMBLY_SETS]; /* feature ids */
 	uint32_t feature_counts[ASSEMBLY_SETS]; /* different ids in each */
 	float lower[3], upper[3]; /* of the positions */
@@ -113,12 +115,18 @@ enum tcs_status assembly_add_node(struct gltf_assembly *assembly,
 	const char *name, const struct assembly_mesh *mesh,
 	struct tcs_fault *fault) GLTF_NOEXCEPT TCS_CHECKED;
 
-/* Views, materials and tables are numbered from 0 in the order they come. */
+/* Views, materials, images, textures, tables are numbered from 0 in the order they come. */
 enum tcs_status assembly_add_view(struct gltf_assembly *assembly,
 	const struct assembly_view *view,
 	struct tcs_fault *fault) GLTF_NOEXCEPT TCS_CHECKED;
 enum tcs_status assembly_add_material(struct gltf_assembly *assembly,
 	const struct material_look *look,
+	struct tcs_fault *fault) GLTF_NOEXCEPT TCS_CHECKED;
+enum tcs_status assembly_add_image(struct gltf_assembly *assembly,
+	uint32_t view, const char *mime, const char *name,
+	struct tcs_fault *fault) GLTF_NOEXCEPT TCS_CHECKED;
+enum tcs_status assembly_add_texture(struct gltf_assembly *assembly,
+	uint32_t image, enum texture_wrap wrap, bool is_webp,
 	struct tcs_fault *fault) GLTF_NOEXCEPT TCS_CHECKED;
 enum tcs_status assembly_add_table(struct gltf_assembly *assembly,
 	const char *class_name, uint32_t row_count,

@@ -8,35 +8,51 @@
 enum { ID_ROOM = 80, CHUNK = 4096 };
 
 enum tcs_status
-city_begin(struct city *city, const char *beside, uint32_t column_limit,
+city_begin(struct city *city, const struct city_settings *settings,
 	struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
 
-	*city = (struct city){.assembly = NULL};
+	*city = (struct city){
+		.textures.folder = {settings->image_folder,
+			settings->image_limit, 0},
+		.drop_textures = settings->drop_textures,
+	};
 	for (int i = 0; i < CITY_PARTS; i++)
 		city->open[i] = TCS_NONE;
 	for (int i = 0; i < CITY_PARTS; i++)
-		spool_open(city->parts + i, beside);
+		spool_open(city->parts + i, settings->beside);
 	for (int i = 0; i < ASSEMBLY_SETS && !status; i++)
-		status = table_init(city->tables + i, column_limit, fault);
+		status = table_init(
+			city->tables + i, settings->column_limit, fault);
 	if (status)
 		return status;
-	city->assembly = assembly_new(beside, fault);
+	city->assembly = assembly_new(settings->beside, fault);
 	return city->assembly ? TCS_OK : fault->status;
 }
 
 enum tcs_status
 city_add_palette(struct city *city, const struct tcs_palette *palette,
-	struct tcs_fault *fault)
+	struct report *report, struct tcs_fault *fault)
 {
-	struct tcs_palette materials = {
-		.text = {palette->text.at, palette->text.count, 0},
-		.materials = {palette->materials.at, palette->materials.count,
-			0},
-	};
+	struct tcs_palette entries = *palette;
+	size_t before = city->palette.images.count;
+	enum tcs_status status = TCS_OK;
 
-	return palette_append(&city->palette, &materials, fault);
+	for (size_t i = 0; i < palette->images.count && !status; i++) {
+		const struct tcs_image *image = palette->images.at + i;
+
+		if (image->byte_count && !city->drop_textures)
+			status = textures_take(&city->textures,
+				(uint32_t)(before + i),
+				palette_text(palette, image->uri),
+				palette->bytes.at + image->first_byte,
+				image->byte_count, city->parts + CITY_IMAGES,
+				report, fault);
+	}
+	entries.bytes.count = 0;
+	return status ? status
+		      : palette_append(&city->palette, &entries, fault);
 }
 
 /* ---- rows ------------------------------------------------------------ */
@@ -100,7 +116,7 @@ add_rows(struct city *city, const struct tcs_object *object,
 
 /* ---- numbers --------------------------------------------------------- */
 
-/* Where `count` elements will go that are about to be written to a part. */
+/* Where the bytes will go that are about to be written to a part. */
 static enum tcs_status
 city_reserve(struct city *city, enum city_part part, uint64_t bytes,
 	struct assembly_accessor *out, struct tcs_fault *fault)
@@ -126,12 +142,13 @@ city_reserve(struct city *city, enum city_part part, uint64_t bytes,
 
 static enum tcs_status
 add_floats(struct city *city, enum city_part part, const float *values,
-	size_t count, struct assembly_accessor *out, struct tcs_fault *fault)
+	size_t count, unsigned width, struct assembly_accessor *out,
+	struct tcs_fault *fault)
 {
 	enum tcs_status status;
 
 	out->component = ASSEMBLY_FLOAT;
-	out->count = (uint32_t)(count / 3);
+	out->count = (uint32_t)(count / width);
 	if (!count)
 		return TCS_OK;
 	status = city_reserve(city, part, count * sizeof *values, out, fault);
@@ -216,8 +233,9 @@ add_primitives(
 		const struct mesh_run *run = mesh->runs.at + i;
 		struct assembly_primitive *to = city->primitives.at + i;
 
+		to->is_textured = (run->paint & PAINT_TEXTURE) != 0;
 		status = materials_find(&city->materials, run->paint,
-			&city->palette, &to->material, fault);
+			&city->palette, &city->textures, &to->material, fault);
 		if (!status)
 			status = add_indices(city,
 				mesh->indices.at + run->first, run->count,
@@ -225,6 +243,41 @@ add_primitives(
 	}
 	city->primitives.count = mesh->runs.count;
 	return status;
+}
+
+/*
+ * Turn the images of the stream into textures of the glTF, in the order of the
+ * runs. Without its image a run keeps its paint.
+ */
+static enum tcs_status
+find_textures(struct city *city, struct mesh *mesh, struct report *report,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; i < mesh->runs.count && !status; i++) {
+		struct mesh_run *run = mesh->runs.at + i;
+		uint32_t sides = run->paint & PAINT_DOUBLE_SIDED, number;
+
+		if (run->image == TCS_NONE)
+			continue;
+		status = textures_find(&city->textures, run->image,
+			&city->palette, city->parts + CITY_IMAGES, &number,
+			report, fault);
+		run->image = TCS_NONE;
+		if (!status && number <= PAINT_NUMBER)
+			run->paint = PAINT_TEXTURE | number | sides;
+	}
+	return status ? status : mesh_group(mesh, fault);
+}
+
+static bool
+mesh_is_textured(const struct mesh *mesh)
+{
+	for (size_t i = 0; i < mesh->runs.count; i++)
+		if (mesh->runs.at[i].paint & PAINT_TEXTURE)
+			return true;
+	return false;
 }
 
 static enum tcs_status
@@ -236,11 +289,14 @@ add_mesh(struct city *city, struct mesh *mesh, size_t feature_count,
 	uint32_t largest = base + (uint32_t)feature_count - 1;
 	enum tcs_status status =
 		add_floats(city, CITY_POSITIONS, mesh->positions.at,
-			mesh->positions.count, &out->positions, fault);
+			mesh->positions.count, 3, &out->positions, fault);
 
 	if (!status)
 		status = add_floats(city, CITY_NORMALS, mesh->normals.at,
-			mesh->normals.count, &out->normals, fault);
+			mesh->normals.count, 3, &out->normals, fault);
+	if (!status && mesh_is_textured(mesh))
+		status = add_floats(city, CITY_TEXCOORDS, mesh->texcoords.at,
+			mesh->texcoords.count, 2, &out->texcoords, fault);
 	if (!status)
 		status = add_ids(city, NULL, count, object_row, object_row,
 			out->sets, fault);
@@ -270,6 +326,8 @@ city_add_object(struct city *city, const struct tcs_object *object,
 	char room[ID_ROOM];
 	enum tcs_status status = add_rows(city, object, report, fault);
 
+	if (!status && mesh->texcoords.count)
+		status = find_textures(city, mesh, report, fault);
 	if (!status && !empty)
 		status = add_mesh(city, mesh, object->features.count,
 			object_row, base, &made, fault);
@@ -291,5 +349,6 @@ city_release(struct city *city)
 	array_release(&city->views);
 	array_release(&city->primitives);
 	materials_release(&city->materials);
+	textures_release(&city->textures);
 	palette_release(&city->palette);
 }

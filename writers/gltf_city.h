@@ -20,6 +20,7 @@
 #include "gltf_mesh.h"
 #include "gltf_spool.h"
 #include "gltf_table.h"
+#include "gltf_texture.h"
 #include "output.h"
 #include "report.h"
 #include "tcs.h"
@@ -30,9 +31,11 @@
 enum city_part {
 	CITY_POSITIONS,
 	CITY_NORMALS,
+	CITY_TEXCOORDS,
 	CITY_IDS,
 	CITY_INDICES,
 	CITY_METADATA,
+	CITY_IMAGES,
 	CITY_PARTS,
 };
 
@@ -47,20 +50,30 @@ struct city {
 	TCS_ARRAY(struct city_view) views;
 	uint32_t open[CITY_PARTS]; /* the part's last view; TCS_NONE */
 	struct materials materials;
-	struct tcs_palette palette; /* all materials so far, no images */
+	struct textures textures;
+	bool drop_textures;
+	struct tcs_palette palette; /* all entries so far, without bytes */
 	struct table tables[ASSEMBLY_SETS];
 	TCS_ARRAY(struct assembly_primitive) primitives; /* scratch */
 };
 
-/*
- * `beside`: where spools live, see gltf_spool.h. On failure too the city must
- * be released.
- */
-enum tcs_status city_begin(struct city *city, const char *beside,
-	uint32_t column_limit, struct tcs_fault *fault) TCS_CHECKED;
+struct city_settings {
+	const char *beside; /* where spools live, see gltf_spool.h */
+	const char *image_folder; /* NULL: none */
+	uint64_t image_limit; /* bytes of one image */
+	uint32_t column_limit; /* of attributes in a table */
+	bool drop_textures;
+};
 
+/* On failure too the city must be released. */
+enum tcs_status city_begin(struct city *city,
+	const struct city_settings *settings,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Images that the palette brings along are taken at once. */
 enum tcs_status city_add_palette(struct city *city,
-	const struct tcs_palette *palette, struct tcs_fault *fault) TCS_CHECKED;
+	const struct tcs_palette *palette, struct report *report,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /* The mesh's scratch arrays are used. Fails with TCS_LIMIT among others. */
 enum tcs_status city_add_object(struct city *city,

@@ -1,5 +1,7 @@
 #include "gltf_convert.h"
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 #include "labels.h"
@@ -26,19 +28,37 @@ object_theme(const struct tcs_object *object, const char *wanted)
 	return object_text(object, object->paints.at->theme);
 }
 
+/* glTF keeps texture coordinates in 32-bit floats. */
+static bool
+texcoords_fit(const struct tcs_texcoord *at, uint32_t count)
+{
+	for (uint32_t i = 0; i < count; i++)
+		if (fabs(at[i].s) > FLT_MAX || fabs(1 - at[i].t) > FLT_MAX)
+			return false;
+	return true;
+}
+
 static enum tcs_status
-note_texture(struct conversion *to, const struct tcs_object *object,
+take_texture(struct conversion *to, const struct tcs_object *object,
 	const struct tcs_paint *paint)
 {
 	const struct tcs_polygon *polygon =
 		object->polygons.at + paint->polygon;
+	struct mesh_paint *chosen = to->converter->paints.at + paint->polygon;
+	const struct tcs_texcoord *texcoords =
+		object->texcoords.at + paint->first_texcoord;
 
-	return report_item(to->report, REPORT_SKIPPED, "texture",
-		"images are not carried", object_text(object, polygon->id),
-		TCS_NOWHERE, to->fault);
+	if (!texcoords_fit(texcoords, polygon->vertex_count))
+		return report_item(to->report, REPORT_SKIPPED, "texture",
+			"coordinates beyond 32-bit floats",
+			object_text(object, polygon->id), TCS_NOWHERE,
+			to->fault);
+	chosen->image = paint->image;
+	chosen->texcoords = texcoords;
+	return TCS_OK;
 }
 
-/* The material of each polygon of `object`, TCS_NONE without one. */
+/* The material and the image of each polygon, TCS_NONE without one. */
 static enum tcs_status
 find_paints(struct conversion *to, const struct tcs_object *object)
 {
@@ -51,35 +71,39 @@ find_paints(struct conversion *to, const struct tcs_object *object)
 		return fault_memory(to->fault);
 	converter->paints.count = object->polygons.count;
 	for (size_t i = 0; i < object->polygons.count; i++)
-		converter->paints.at[i] = TCS_NONE;
+		converter->paints.at[i] =
+			(struct mesh_paint){TCS_NONE, TCS_NONE, NULL};
 	for (size_t i = 0; i < object->paints.count && !status; i++) {
 		const struct tcs_paint *paint = object->paints.at + i;
-		uint32_t *chosen = converter->paints.at + paint->polygon;
+		struct mesh_paint *chosen =
+			converter->paints.at + paint->polygon;
 
 		if (strcmp(object_text(object, paint->theme), theme) ||
 			paint->flags & TCS_PAINT_BACK)
 			continue;
-		if (*chosen == TCS_NONE)
-			*chosen = paint->material;
-		if (paint->image != TCS_NONE)
-			status = note_texture(to, object, paint);
+		if (chosen->paint == TCS_NONE)
+			chosen->paint = paint->material;
+		if (paint->image != TCS_NONE && chosen->image == TCS_NONE &&
+			!to->settings->drop_textures)
+			status = take_texture(to, object, paint);
 	}
 	return status;
 }
 
-static uint32_t
+static struct mesh_paint
 polygon_paint(const struct conversion *to, uint32_t polygon, uint16_t class,
 	const struct tcs_geometry *geometry)
 {
-	uint32_t material = to->converter->paints.at[polygon];
+	struct mesh_paint paint = to->converter->paints.at[polygon];
 	bool solid = geometry->kind == TCS_SOLID ||
 		geometry->kind == TCS_MULTI_SOLID ||
 		geometry->kind == TCS_COMPOSITE_SOLID;
-	uint32_t paint = material == TCS_NONE || material > PAINT_NUMBER
-		? class
-		: material | PAINT_MATERIAL;
 
-	return solid ? paint : paint | PAINT_DOUBLE_SIDED;
+	paint.paint = paint.paint > PAINT_NUMBER ? class
+						 : paint.paint | PAINT_MATERIAL;
+	if (!solid)
+		paint.paint |= PAINT_DOUBLE_SIDED;
+	return paint;
 }
 
 /* ---- polygons -------------------------------------------------------- */
@@ -153,15 +177,17 @@ draw_geometry(struct conversion *to, const struct tcs_object *object,
 		uint32_t feature =
 			placed == TCS_NONE ? polygon->surface : placed;
 		uint16_t class = object->features.at[polygon->surface].class;
+		struct mesh_paint paint;
 		enum mesh_outcome outcome;
 
 		if (is_repeated(to, object, polygon))
 			continue;
 		if (placed != TCS_NONE && class == TCS_CLASS_Unknown)
 			class = to->object->features.at[placed].class;
+		paint = polygon_paint(to, i, class, geometry);
 		status = mesh_add_polygon(to->mesh, object, polygon, place,
-			feature, polygon_paint(to, i, class, geometry),
-			to->settings->normals, &outcome, to->fault);
+			feature, &paint, to->settings->normals, &outcome,
+			to->fault);
 		if (!status)
 			status = note_outcome(
 				to, outcome, object_text(object, polygon->id));

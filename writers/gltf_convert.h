@@ -5,6 +5,7 @@
 #ifndef TESSERA_GLTF_CONVERT_H
 #define TESSERA_GLTF_CONVERT_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "byte_index.h"
@@ -16,6 +17,7 @@
 
 struct convert_settings {
 	const char *theme; /* NULL: the first one of each object */
+	bool drop_textures; /* colour by material and class only */
 	int lod; /* a level or SELECT_… */
 	enum mesh_normals normals;
 	double crease_cosine; /* of smooth normals */
@@ -33,7 +35,7 @@ struct prototype_source {
 struct converter {
 	struct selection selection;
 	struct byte_index drawn; /* ids of polygons, where some are shared */
-	TCS_ARRAY(uint32_t) paints; /* per polygon: its paint or TCS_NONE */
+	TCS_ARRAY(struct mesh_paint) paints; /* per polygon; or TCS_NONE */
 };
 
 /*

@@ -5,15 +5,16 @@
 
 /* ---- metadata -------------------------------------------------------- */
 
+/* A view of its own for bytes that are complete. */
 static enum tcs_status
-add_metadata_view(struct city *city, uint64_t at, uint64_t size,
-	uint32_t *number, struct tcs_fault *fault)
+add_own_view(struct city *city, enum city_part part, uint64_t start,
+	uint64_t end, uint32_t *number, struct tcs_fault *fault)
 {
 	if (array_grow(&city->views, 1))
 		return fault_memory(fault);
 	*number = (uint32_t)city->views.count;
 	city->views.at[city->views.count++] =
-		(struct city_view){CITY_METADATA, at, at + size};
+		(struct city_view){part, start, end};
 	return TCS_OK;
 }
 
@@ -48,11 +49,13 @@ write_column(struct city *city, const struct table *table, size_t which,
 		city->parts + CITY_METADATA, &place, fault);
 
 	if (!status)
-		status = add_metadata_view(city, place.values_at,
-			place.values_size, &out->values_view, fault);
+		status = add_own_view(city, CITY_METADATA, place.values_at,
+			place.values_at + place.values_size, &out->values_view,
+			fault);
 	if (!status && place.type == COLUMN_STRING)
-		status = add_metadata_view(city, place.offsets_at,
-			place.offsets_size, &out->offsets_view, fault);
+		status = add_own_view(city, CITY_METADATA, place.offsets_at,
+			place.offsets_at + place.offsets_size,
+			&out->offsets_view, fault);
 	if (!status)
 		status = describe_column(column, description, fault);
 	out->id = column->property;
@@ -97,6 +100,37 @@ write_table(struct city *city, const struct table *table, const char *class,
 	return status;
 }
 
+/* ---- textures -------------------------------------------------------- */
+
+static enum tcs_status
+write_textures(struct city *city, struct tcs_fault *fault)
+{
+	const struct textures *all = &city->textures;
+	enum tcs_status status = TCS_OK;
+	uint32_t view;
+
+	for (size_t i = 0; i < all->images.count && !status; i++) {
+		const struct texture_image *image = all->images.at + i;
+
+		status = add_own_view(city, CITY_IMAGES, image->start,
+			image->end, &view, fault);
+		if (!status)
+			status = assembly_add_image(city->assembly, view,
+				image_mime(image->kind.format), image->name,
+				fault);
+	}
+	for (size_t i = 0; i < all->list.count && !status; i++) {
+		const struct texture *texture = all->list.at + i;
+
+		status = assembly_add_texture(city->assembly, texture->image,
+			texture->wrap,
+			all->images.at[texture->image].kind.format ==
+				IMAGE_WEBP,
+			fault);
+	}
+	return status;
+}
+
 /* ---- the end --------------------------------------------------------- */
 
 static enum tcs_status
@@ -105,9 +139,11 @@ add_views(struct city *city, uint64_t *buffer_size, struct tcs_fault *fault)
 	static const struct assembly_view kinds[CITY_PARTS] = {
 		[CITY_POSITIONS] = {0, 0, 12, ASSEMBLY_VERTICES},
 		[CITY_NORMALS] = {0, 0, 12, ASSEMBLY_VERTICES},
+		[CITY_TEXCOORDS] = {0, 0, 8, ASSEMBLY_VERTICES},
 		[CITY_IDS] = {0, 0, 4, ASSEMBLY_VERTICES},
 		[CITY_INDICES] = {0, 0, 0, ASSEMBLY_INDICES},
 		[CITY_METADATA] = {0, 0, 0, ASSEMBLY_ANYTHING},
+		[CITY_IMAGES] = {0, 0, 0, ASSEMBLY_ANYTHING},
 	};
 	uint64_t starts[CITY_PARTS], end = 0;
 	enum tcs_status status = TCS_OK;
@@ -143,6 +179,8 @@ city_finish(struct city *city, struct assembly_root *root, uint64_t *json_size,
 	for (size_t i = 0; i < city->materials.looks.count && !status; i++)
 		status = assembly_add_material(
 			city->assembly, city->materials.looks.at + i, fault);
+	if (!status)
+		status = write_textures(city, fault);
 	if (!status)
 		status = add_views(city, &root->buffer_size, fault);
 	return status ? status

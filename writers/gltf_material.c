@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "gltf_mesh.h"
+#include "gltf_texture.h"
 #include "labels.h"
 #include "tcs.h"
 
@@ -27,7 +28,9 @@ static struct material_look
 class_look(unsigned class)
 {
 	uint32_t colour = label_of(class)->colour;
-	struct material_look look = {.colour = {0, 0, 0, 1}, .roughness = 0.9};
+	struct material_look look = {.colour = {0, 0, 0, 1},
+		.roughness = 0.9,
+		.texture = MATERIAL_PLAIN};
 
 	for (int k = 0; k < 3; k++)
 		look.colour[k] = colour_linear(
@@ -49,7 +52,7 @@ roughness(const struct tcs_material *material)
 static struct material_look
 stream_look(const struct tcs_material *material)
 {
-	struct material_look look = {.double_sided = false};
+	struct material_look look = {.texture = MATERIAL_PLAIN};
 
 	for (int k = 0; k < 3; k++) {
 		look.colour[k] = colour_linear((double)material->diffuse[k]);
@@ -60,9 +63,23 @@ stream_look(const struct tcs_material *material)
 	return look;
 }
 
+static struct material_look
+texture_look(const struct textures *textures, uint32_t number)
+{
+	const struct texture *texture = textures->list.at + number;
+
+	return (struct material_look){
+		.colour = {1, 1, 1, 1},
+		.roughness = 0.9,
+		.texture = number,
+		.has_holes = textures->images.at[texture->image].kind.has_alpha,
+	};
+}
+
 /* What makes two looks the same: their values, or their class. */
 struct look_key {
 	double values[8];
+	double texture;
 	double class; /* -1: a stream material */
 	double double_sided;
 };
@@ -75,37 +92,38 @@ look_key(const struct material_look *look, double class)
 	memcpy(key.values, look->colour, sizeof look->colour);
 	memcpy(key.values + 4, look->emissive, sizeof look->emissive);
 	key.values[7] = look->roughness;
+	key.texture = look->texture;
 	key.double_sided = look->double_sided;
 	return key;
 }
 
 static enum tcs_status
 materials_make(struct materials *materials, uint32_t paint,
-	const struct tcs_palette *palette, uint32_t *number,
-	struct tcs_fault *fault)
+	const struct tcs_palette *palette, const struct textures *textures,
+	uint32_t *number, struct tcs_fault *fault)
 {
 	uint32_t entry = paint & PAINT_NUMBER;
-	const struct tcs_material *material = NULL;
+	bool is_class = false;
 	struct material_look look;
 	struct look_key key;
 	const char *name;
 	bool added;
 	enum tcs_status status;
 
-	if (!(paint & PAINT_MATERIAL)) {
-		look = class_look(entry);
-		name = label_of(entry)->name;
-	} else if (entry < palette->materials.count) {
-		material = palette->materials.at + entry;
-		look = stream_look(material);
-		name = palette_text(palette, material->id);
+	if (paint & PAINT_TEXTURE) {
+		look = texture_look(textures, entry);
+		name = textures->images.at[textures->list.at[entry].image].name;
+	} else if (paint & PAINT_MATERIAL && entry < palette->materials.count) {
+		look = stream_look(palette->materials.at + entry);
+		name = palette_text(palette, palette->materials.at[entry].id);
 	} else {
-		entry = TCS_CLASS_Unknown;
+		is_class = true;
+		entry = paint & PAINT_MATERIAL ? TCS_CLASS_Unknown : entry;
 		look = class_look(entry);
 		name = label_of(entry)->name;
 	}
 	look.double_sided = (paint & PAINT_DOUBLE_SIDED) != 0;
-	key = look_key(&look, material ? -1 : (double)entry);
+	key = look_key(&look, is_class ? (double)entry : -1);
 	status = byte_index_add(
 		&materials->by_look, &key, sizeof key, number, &added, fault);
 	if (status || !added)
@@ -121,8 +139,8 @@ materials_make(struct materials *materials, uint32_t paint,
 
 enum tcs_status
 materials_find(struct materials *materials, uint32_t paint,
-	const struct tcs_palette *palette, uint32_t *number,
-	struct tcs_fault *fault)
+	const struct tcs_palette *palette, const struct textures *textures,
+	uint32_t *number, struct tcs_fault *fault)
 {
 	uint32_t seen;
 	bool added;
@@ -137,7 +155,8 @@ materials_find(struct materials *materials, uint32_t paint,
 	}
 	if (array_grow(&materials->of_paint, 1))
 		return fault_memory(fault);
-	status = materials_make(materials, paint, palette, number, fault);
+	status = materials_make(
+		materials, paint, palette, textures, number, fault);
 	if (!status)
 		materials->of_paint.at[materials->of_paint.count++] = *number;
 	return status;

@@ -18,14 +18,27 @@
 #include "fault.h"
 
 struct tcs_palette;
+struct textures;
+
+#define MATERIAL_PLAIN UINT32_MAX /* without a texture */
+
+/* What a texture does beyond the edges of its image. */
+enum texture_wrap {
+	TEXTURE_REPEAT,
+	TEXTURE_MIRROR,
+	TEXTURE_CLAMP, /* for TCS_WRAP_NONE and _BORDER too */
+	TEXTURE_WRAPS,
+};
 
 /* One material, values linear, 0…1. */
 struct material_look {
 	double colour[4]; /* red, green, blue, alpha */
 	double emissive[3];
 	double roughness;
+	uint32_t texture; /* of the glTF; MATERIAL_PLAIN */
+	bool has_holes; /* the texture's alpha cuts them */
 	bool double_sided;
-	char *name; /* the class or the id of the first one; owned */
+	char *name; /* class, id of the first one, or image; owned */
 };
 
 /* All zero is empty. */
@@ -41,11 +54,12 @@ double colour_linear(double srgb);
 
 /*
  * The number of the material for a paint (PAINT_… of gltf_mesh.h). A paint
- * beyond the palette is shown as class Unknown. Fails with TCS_NO_MEMORY.
+ * beyond the palette is shown as class Unknown; a texture is one of those
+ * given. Fails with TCS_NO_MEMORY.
  */
 enum tcs_status materials_find(struct materials *materials, uint32_t paint,
-	const struct tcs_palette *palette, uint32_t *number,
-	struct tcs_fault *fault) TCS_CHECKED;
+	const struct tcs_palette *palette, const struct textures *textures,
+	uint32_t *number, struct tcs_fault *fault) TCS_CHECKED;
 
 void materials_release(struct materials *materials);
 

@@ -172,6 +172,17 @@ polygon_shape(const struct mesh *mesh, const struct tcs_polygon *polygon,
 	return shape;
 }
 
+/* glTF counts t from the upper edge of the image. */
+static void
+mesh_push_texcoord(struct mesh *mesh, const struct tcs_texcoord *from)
+{
+	float *to = mesh->texcoords.at + mesh->texcoords.count;
+
+	to[0] = from ? (float)from->s : 0;
+	to[1] = from ? (float)(1 - from->t) : 0;
+	mesh->texcoords.count += 2;
+}
+
 static void
 mesh_push_vertex(struct mesh *mesh, struct mesh_point at,
 	struct tcs_point normal, uint32_t feature, bool with_normal)
@@ -193,8 +204,24 @@ mesh_push_vertex(struct mesh *mesh, struct mesh_point at,
 	mesh->features.at[mesh->features.count++] = feature;
 }
 
+/* Texture coordinates begin with the first image: those before get zeros. */
+static int
+mesh_texcoord_room(struct mesh *mesh, bool textured, size_t corners)
+{
+	size_t vertices = mesh->features.count;
+
+	if (!textured && !mesh->texcoords.count)
+		return 0;
+	if (array_grow(&mesh->texcoords,
+		    2 * (vertices + corners) - mesh->texcoords.count))
+		return -1;
+	while (mesh->texcoords.count < 2 * vertices)
+		mesh->texcoords.at[mesh->texcoords.count++] = 0;
+	return 0;
+}
+
 static enum tcs_status
-mesh_room(struct mesh *mesh, const struct polygon_shape *shape,
+mesh_room(struct mesh *mesh, const struct polygon_shape *shape, bool textured,
 	struct tcs_fault *fault)
 {
 	uint64_t corners = (uint64_t)shape->triangles * 3;
@@ -209,6 +236,7 @@ mesh_room(struct mesh *mesh, const struct polygon_shape *shape,
 	if (array_grow(&mesh->positions, (size_t)corners * 3) ||
 		array_grow(&mesh->normals, (size_t)corners * 3) ||
 		array_grow(&mesh->features, (size_t)corners) ||
+		mesh_texcoord_room(mesh, textured, (size_t)corners) ||
 		array_grow(&mesh->indices, (size_t)corners) ||
 		array_grow(&mesh->runs, 1))
 		return fault_memory(fault);
@@ -218,8 +246,11 @@ mesh_room(struct mesh *mesh, const struct polygon_shape *shape,
 static void
 mesh_draw(struct mesh *mesh, const struct tcs_polygon *polygon,
 	const struct tcs_triangle *triangles, struct polygon_shape shape,
-	uint32_t feature, bool with_normals)
+	uint32_t feature, const struct tcs_texcoord *texcoords,
+	bool with_normals)
 {
+	bool with_texcoords = texcoords || mesh->texcoords.count;
+
 	for (uint32_t i = 0; i < polygon->triangle_count; i++) {
 		struct tcs_point n =
 			triangle_normal(mesh, polygon, triangles + i);
@@ -241,6 +272,10 @@ mesh_draw(struct mesh *mesh, const struct tcs_polygon *polygon,
 					shape.bent ? unit(n, size)
 						   : shape.normal,
 					feature, with_normals);
+				if (with_texcoords)
+					mesh_push_texcoord(mesh,
+						texcoords ? texcoords + from
+							  : NULL);
 			}
 			mesh->indices.at[mesh->indices.count++] = *to;
 		}
@@ -250,14 +285,16 @@ mesh_draw(struct mesh *mesh, const struct tcs_polygon *polygon,
 enum tcs_status
 mesh_add_polygon(struct mesh *mesh, const struct tcs_object *object,
 	const struct tcs_polygon *polygon, const struct mesh_place *place,
-	uint32_t feature, uint32_t paint, enum mesh_normals normals,
-	enum mesh_outcome *outcome, struct tcs_fault *fault)
+	uint32_t feature, const struct mesh_paint *paint,
+	enum mesh_normals normals, enum mesh_outcome *outcome,
+	struct tcs_fault *fault)
 {
 	const struct tcs_triangle *triangles =
 		object->triangles.at + polygon->first_triangle;
 	size_t first = mesh->indices.count;
 	struct polygon_shape shape;
 	enum tcs_status status;
+	bool textured = paint->image != TCS_NONE;
 	bool fits;
 
 	if (place_polygon(mesh, object, polygon, place, &fits))
@@ -269,13 +306,14 @@ mesh_add_polygon(struct mesh *mesh, const struct tcs_object *object,
 	*outcome = MESH_NO_AREA;
 	if (!shape.triangles)
 		return TCS_OK;
-	status = mesh_room(mesh, &shape, fault);
+	status = mesh_room(mesh, &shape, textured, fault);
 	if (status)
 		return status;
 	mesh_draw(mesh, polygon, triangles, shape, feature,
-		normals != MESH_PLAIN);
+		textured ? paint->texcoords : NULL, normals != MESH_PLAIN);
 	mesh->runs.at[mesh->runs.count++] = (struct mesh_run){
-		.paint = paint,
+		.image = paint->image,
+		.paint = paint->paint,
 		.first = (uint32_t)first,
 		.count = (uint32_t)(mesh->indices.count - first),
 	};
@@ -284,12 +322,21 @@ mesh_add_polygon(struct mesh *mesh, const struct tcs_object *object,
 }
 
 static int
+compare_looks(const struct mesh_run *a, const struct mesh_run *b)
+{
+	if (a->image != b->image)
+		return a->image < b->image ? -1 : 1;
+	return a->paint < b->paint ? -1 : a->paint > b->paint;
+}
+
+static int
 compare_runs(const void *left, const void *right)
 {
 	const struct mesh_run *a = left, *b = right;
+	int order = compare_looks(a, b);
 
-	if (a->paint != b->paint)
-		return a->paint < b->paint ? -1 : 1;
+	if (order)
+		return order;
 	return a->first < b->first ? -1 : a->first > b->first;
 }
 
@@ -297,7 +344,7 @@ static bool
 runs_are_ordered(const struct mesh_runs *runs)
 {
 	for (size_t i = 1; i < runs->count; i++)
-		if (runs->at[i - 1].paint > runs->at[i].paint)
+		if (compare_looks(runs->at + i - 1, runs->at + i) > 0)
 			return false;
 	return true;
 }
@@ -336,7 +383,7 @@ mesh_group(struct mesh *mesh, struct tcs_fault *fault)
 	for (size_t i = 0; i < mesh->runs.count; i++) {
 		const struct mesh_run *run = mesh->runs.at + i;
 
-		if (kept && mesh->runs.at[kept - 1].paint == run->paint)
+		if (kept && !compare_looks(mesh->runs.at + kept - 1, run))
 			mesh->runs.at[kept - 1].count += run->count;
 		else
 			mesh->runs.at[kept++] = *run;
@@ -387,6 +434,7 @@ mesh_clear(struct mesh *mesh)
 {
 	array_clear(&mesh->positions);
 	array_clear(&mesh->normals);
+	array_clear(&mesh->texcoords);
 	array_clear(&mesh->features);
 	array_clear(&mesh->indices);
 	array_clear(&mesh->runs);
@@ -398,6 +446,7 @@ mesh_release(struct mesh *mesh)
 {
 	array_release(&mesh->positions);
 	array_release(&mesh->normals);
+	array_release(&mesh->texcoords);
 	array_release(&mesh->features);
 	array_release(&mesh->indices);
 	array_release(&mesh->runs);

@@ -20,15 +20,25 @@ enum mesh_normals {
 };
 
 /*
- * What a polygon is painted with: its class's colour or an entry of the
- * stream's materials, seen from one side or both.
+ * What a polygon is painted with: its class's colour, an entry of the stream's
+ * materials or a texture of the glTF, seen from one side or both.
  */
 #define PAINT_DOUBLE_SIDED UINT32_C(0x80000000)
-#define PAINT_MATERIAL UINT32_C(0x40000000) /* else: a class */
-#define PAINT_NUMBER UINT32_C(0x3fffffff)
+#define PAINT_MATERIAL UINT32_C(0x40000000)
+#define PAINT_TEXTURE UINT32_C(0x20000000) /* neither: a class */
+#define PAINT_NUMBER UINT32_C(0x1fffffff)
+
+/* The paint of a polygon, and the image over it where there is one. */
+struct mesh_paint {
+	uint32_t paint; /* also without the image */
+	uint32_t image; /* entry of the stream's images; TCS_NONE */
+	/* One per vertex of the polygon; within 32-bit floats. */
+	const struct tcs_texcoord *texcoords;
+};
 
 /* A run of indices with one paint. */
 struct mesh_run {
+	uint32_t image; /* as in mesh_paint */
 	uint32_t paint;
 	uint32_t first; /* in indices */
 	uint32_t count;
@@ -45,6 +55,8 @@ TCS_ARRAY_TYPE(mesh_runs, struct mesh_run);
 struct mesh {
 	TCS_ARRAY(float) positions; /* 3 per vertex, metres */
 	TCS_ARRAY(float) normals; /* 3 per vertex, unit; empty when plain */
+	/* 2 per vertex, from the upper left; empty while no image is used. */
+	TCS_ARRAY(float) texcoords;
 	TCS_ARRAY(uint32_t) features; /* per vertex: index in the object */
 	struct mesh_indices indices; /* three a triangle */
 	struct mesh_runs runs; /* one per polygon, then one per paint */
@@ -75,11 +87,11 @@ enum mesh_outcome {
  */
 enum tcs_status mesh_add_polygon(struct mesh *mesh,
 	const struct tcs_object *object, const struct tcs_polygon *polygon,
-	const struct mesh_place *place, uint32_t feature, uint32_t paint,
-	enum mesh_normals normals, enum mesh_outcome *outcome,
-	struct tcs_fault *fault) TCS_CHECKED;
+	const struct mesh_place *place, uint32_t feature,
+	const struct mesh_paint *paint, enum mesh_normals normals,
+	enum mesh_outcome *outcome, struct tcs_fault *fault) TCS_CHECKED;
 
-/* Turn one run per polygon into one per paint, ordered by paint. */
+/* Turn runs into one per image and paint, ordered by both. */
 enum tcs_status mesh_group(
 	struct mesh *mesh, struct tcs_fault *fault) TCS_CHECKED;
 

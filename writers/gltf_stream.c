@@ -157,7 +157,10 @@ write_palette(
 	enum tcs_status status = palette_decode(&palette, &item->record, fault);
 
 	if (!status)
-		status = city_add_palette(passage->city, &palette, fault);
+		status = city_add_palette(
+			passage->city, &palette, passage->report, fault);
+	if (!status && passage->settings.strict)
+		status = report_strict(passage->report, fault);
 	palette_release(&palette);
 	return status;
 }

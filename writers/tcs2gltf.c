@@ -20,6 +20,8 @@ struct options {
 	bool translate;
 	double crease; /* degrees */
 	unsigned max_columns;
+	const char *images;
+	uint64_t max_image;
 };
 
 static const struct options defaults = {
@@ -28,6 +30,7 @@ static const struct options defaults = {
 		.max_record = TCS_MAX_RECORD},
 	.crease = 30,
 	.max_columns = 1024,
+	.max_image = 256 << 20,
 };
 
 static const char *
@@ -57,6 +60,17 @@ parse_lod(void *target, const char *argument)
 		*lod = *argument - '0';
 	else
 		return "not one of 0, 1, 2, 3, 4, highest, all";
+	return NULL;
+}
+
+static const char *
+parse_textures(void *target, const char *argument)
+{
+	bool *drop = target;
+
+	if (strcmp(argument, "keep") && strcmp(argument, "drop"))
+		return "not one of keep, drop";
+	*drop = !strcmp(argument, "drop");
 	return NULL;
 }
 
@@ -94,9 +108,15 @@ convert(const struct command *command, const struct options *options, FILE *in,
 {
 	struct stream_head head = {.origin = {0, 0, 0}};
 	struct progress progress;
+	const struct city_settings settings = {
+		.beside = file_beside(file),
+		.image_folder = options->images,
+		.image_limit = options->max_image,
+		.column_limit = options->max_columns,
+		.drop_textures = options->stream.convert.drop_textures,
+	};
 	struct city city;
-	enum tcs_status status = city_begin(
-		&city, file_beside(file), options->max_columns, fault);
+	enum tcs_status status = city_begin(&city, &settings, fault);
 
 	progress_begin(
 		&progress, command->program->name, "objects", command->quiet);
@@ -163,6 +183,14 @@ main(int argc, char **argv)
 			"Colour by this appearance theme (default: the first "
 			"of each object).",
 			&settings->theme, 0, 0, NULL},
+		{OPTION_PARSE, 0, "textures", "keep|drop",
+			"Keep texture images, or colour by material and class "
+			"only (default: keep).",
+			&settings->drop_textures, 0, 0, parse_textures},
+		{OPTION_TEXT, 0, "images", "DIR",
+			"Read texture images from DIR, the folder of the "
+			"source, and from nowhere else.",
+			&options.images, 0, 0, NULL},
 		{OPTION_PARSE, 0, "normals", "flat|smooth|none",
 			"One normal per polygon, averaged within a surface, "
 			"or none (default: flat).",
@@ -182,6 +210,9 @@ main(int argc, char **argv)
 		{OPTION_BYTES, 0, "max-triangles", "N",
 			"Most triangles of one object (default: 256M).",
 			&settings->triangle_limit, 0, 0, NULL},
+		{OPTION_BYTES, 0, "max-image", "BYTES",
+			"Largest texture image (default: 256M).",
+			&options.max_image, 0, 0, NULL},
 		{OPTION_BYTES, 0, "max-record", "BYTES",
 			"Largest record of the stream (default: 8G).",
 			&options.stream.max_record, 0, 0, NULL},

@@ -39,6 +39,17 @@ every_choice_of_options_is_valid() {
 	node "$node/validate.mjs" ./*.glb
 }
 
+# Images from a folder and from the stream, into either form of the file.
+a_textured_house_is_valid() {
+	json2tcs "$streams/textured.json" house.tcs
+	tcs2gltf -q --images "$streams" house.tcs house.glb
+	tcs2gltf -q --images "$streams" house.tcs house.gltf
+	node "$node/validate.mjs" house.glb house.gltf
+	node "$node/compare.mjs" "$streams/textured.json" house.glb
+	jq -e '(.images | length) == 2 and (.textures | length) == 3' \
+		house.gltf
+}
+
 # Beyond 65,535 features ids are floats; beyond as many vertices indices are
 # 32 bits wide.
 a_large_city_says_what_its_stream_says() {
@@ -101,6 +112,7 @@ a_browser_shows_the_town_and_its_walls() {
 
 run_test it_says_what_the_stream_says every
 run_test it_says_what_the_stream_says gltf
+run_test a_textured_house_is_valid
 run_test every_choice_of_options_is_valid
 run_test a_large_city_says_what_its_stream_says
 run_test a_city_without_objects_is_valid

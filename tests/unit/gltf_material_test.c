@@ -31,13 +31,13 @@ a_class_has_one_material_per_sidedness(void)
 	struct tcs_palette palette = {.text = {NULL, 0, 0}};
 	uint32_t one, both, again;
 
-	CHECK(!materials_find(
-		&materials, TCS_CLASS_RoofSurface, &palette, &one, &fault));
+	CHECK(!materials_find(&materials, TCS_CLASS_RoofSurface, &palette, NULL,
+		&one, &fault));
 	CHECK(!materials_find(&materials,
-		TCS_CLASS_RoofSurface | PAINT_DOUBLE_SIDED, &palette, &both,
-		&fault));
-	CHECK(!materials_find(
-		&materials, TCS_CLASS_RoofSurface, &palette, &again, &fault));
+		TCS_CLASS_RoofSurface | PAINT_DOUBLE_SIDED, &palette, NULL,
+		&both, &fault));
+	CHECK(!materials_find(&materials, TCS_CLASS_RoofSurface, &palette, NULL,
+		&again, &fault));
 	CHECK(one == 0 && both == 1 && again == 0);
 	CHECK(materials.looks.count == 2);
 	CHECK(!strcmp(materials.looks.at[0].name, "RoofSurface"));
@@ -64,7 +64,7 @@ equal_materials_of_the_stream_become_one(void)
 				.transparency = i == 2 ? 0.25f : 0});
 	for (uint32_t i = 0; i < 3; i++)
 		CHECK(!materials_find(&materials, i | PAINT_MATERIAL, &palette,
-			numbers + i, &fault));
+			NULL, numbers + i, &fault));
 	CHECK(numbers[0] == 0 && numbers[1] == 0 && numbers[2] == 1);
 	CHECK(near(materials.looks.at[1].colour[3], 0.75));
 	CHECK(near(materials.looks.at[0].roughness, 1));
@@ -81,8 +81,8 @@ a_paint_beyond_the_palette_is_unknown(void)
 	struct tcs_palette palette = {.text = {NULL, 0, 0}};
 	uint32_t number;
 
-	CHECK(!materials_find(
-		&materials, 5 | PAINT_MATERIAL, &palette, &number, &fault));
+	CHECK(!materials_find(&materials, 5 | PAINT_MATERIAL, &palette, NULL,
+		&number, &fault));
 	CHECK(!strcmp(materials.looks.at[number].name, "Unknown"));
 	materials_release(&materials);
 }

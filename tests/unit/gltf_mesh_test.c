@@ -11,6 +11,8 @@ static struct mesh mesh;
 
 static const struct mesh_place directly = {&frame, NULL};
 
+static const struct mesh_paint grey = {1, TCS_NONE, NULL};
+
 static void
 start(void)
 {
@@ -48,10 +50,11 @@ polygon(const struct tcs_point *points, uint32_t count)
 static enum mesh_outcome
 add(size_t number, uint32_t feature, uint32_t paint)
 {
+	const struct mesh_paint plain = {paint, TCS_NONE, NULL};
 	enum mesh_outcome outcome = MESH_TOO_FAR;
 
 	CHECK(!mesh_add_polygon(&mesh, &object, object.polygons.at + number,
-		&directly, feature, paint, MESH_FLAT, &outcome, &fault));
+		&directly, feature, &plain, MESH_FLAT, &outcome, &fault));
 	return outcome;
 }
 
@@ -169,7 +172,7 @@ the_triangle_limit_holds(void)
 	polygon(square, 4);
 	CHECK(add(0, 0, 1) == MESH_DRAWN);
 	CHECK(mesh_add_polygon(&mesh, &object, object.polygons.at + 1,
-		      &directly, 0, 1, MESH_FLAT, &outcome,
+		      &directly, 0, &grey, MESH_FLAT, &outcome,
 		      &fault) == TCS_LIMIT);
 }
 
@@ -187,7 +190,7 @@ an_instance_is_placed_and_a_mirror_keeps_the_outside_out(void)
 	for (size_t i = 0; i < 4; i++)
 		object.vertices.at[i] = square[i];
 	CHECK(!mesh_add_polygon(&mesh, &object, object.polygons.at, &place, 0,
-		1, MESH_FLAT, &outcome, &fault));
+		&grey, MESH_FLAT, &outcome, &fault));
 	for (size_t i = 0; i < 4; i++) {
 		const float *at = mesh.positions.at + 3 * i;
 
@@ -238,6 +241,31 @@ smooth_normals_stop_at_the_crease(void)
 	object_release(&object);
 }
 
+/* Vertices before the first image get coordinates too, and those after. */
+static void
+texture_coordinates_follow_the_vertices(void)
+{
+	static const struct tcs_texcoord at[] = {
+		{0, 0}, {3, 0}, {3, 1}, {0, 0.25}};
+	const struct mesh_paint bricks = {1, 5, at};
+	enum mesh_outcome outcome;
+
+	start();
+	polygon(square, 4);
+	CHECK(add(0, 0, 1) == MESH_DRAWN);
+	CHECK(!mesh.texcoords.count);
+	CHECK(!mesh_add_polygon(&mesh, &object, object.polygons.at, &directly,
+		0, &bricks, MESH_FLAT, &outcome, &fault));
+	CHECK(add(0, 0, 2) == MESH_DRAWN);
+	CHECK(mesh.texcoords.count == 2 * mesh.features.count);
+	CHECK(mesh.texcoords.at[0] == 0 && mesh.texcoords.at[7] == 0);
+	CHECK(mesh.texcoords.at[8] == 0 && mesh.texcoords.at[9] == 1);
+	CHECK(mesh.texcoords.at[12] == 3 && mesh.texcoords.at[13] == 0);
+	CHECK(mesh.texcoords.at[15] == 0.75f && mesh.texcoords.at[17] == 0);
+	CHECK(!mesh_group(&mesh, &fault));
+	CHECK(mesh.runs.count == 3 && mesh.runs.at[0].image == 5);
+}
+
 int
 main(void)
 {
@@ -252,6 +280,7 @@ main(void)
 		CHECK_TEST(
 			an_instance_is_placed_and_a_mirror_keeps_the_outside_out),
 		CHECK_TEST(smooth_normals_stop_at_the_crease),
+		CHECK_TEST(texture_coordinates_follow_the_vertices),
 		{0},
 	};
 
