@@ -12,10 +12,10 @@
 #include <stdint.h>
 
 #include "array.h"
+#include "byte_index.h"
 #include "fault.h"
 #include "gltf_image_folder.h"
 #include "gltf_image_kind.h"
-#include "gltf_index.h"
 #include "gltf_material.h"
 #include "gltf_spool.h"
 #include "report.h"
