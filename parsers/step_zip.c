@@ -138,13 +138,12 @@ member_bytes(const struct archive *archive, const struct member *member,
 }
 
 static enum tcs_status
-room_make(struct step_bytes *out, uint64_t max_bytes, struct tcs_fault *fault)
+limit_check(const struct step_bytes *out, uint64_t max_bytes,
+	struct tcs_fault *fault)
 {
 	if (max_bytes && out->count > max_bytes)
 		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
 			"the archive unpacks to more than the limit");
-	if (array_grow(out, PIECE))
-		return fault_memory(fault);
 	return TCS_OK;
 }
 
@@ -156,11 +155,13 @@ inflate_all(z_stream *stream, const struct member *member, uint64_t max_bytes,
 	int result = Z_OK;
 
 	while (result != Z_STREAM_END) {
-		enum tcs_status status = room_make(out, max_bytes, fault);
+		enum tcs_status status = limit_check(out, max_bytes, fault);
 		uInt room, piece;
 
 		if (status)
 			return status;
+		if (array_grow(out, PIECE))
+			return fault_memory(fault);
 		room = out->room - out->count > PIECE * 16
 			? PIECE * 16
 			: (uInt)(out->room - out->count);
@@ -177,7 +178,7 @@ inflate_all(z_stream *stream, const struct member *member, uint64_t max_bytes,
 			return damaged(member->local,
 				"a member does not unpack", fault);
 	}
-	return TCS_OK;
+	return limit_check(out, max_bytes, fault);
 }
 
 static enum tcs_status
@@ -203,7 +204,7 @@ member_copy(const unsigned char *packed, const struct member *member,
 	if (member->packed)
 		memcpy(out->at + out->count, packed, member->packed);
 	out->count += member->packed;
-	return room_make(out, max_bytes, fault);
+	return limit_check(out, max_bytes, fault);
 }
 
 static enum tcs_status
