@@ -69,7 +69,8 @@ main(int argc, char **argv)
 {
 	struct convert_options options = {
 		.lods.highest = true,
-		.reading.max_depth = 512,
+		.reading.xml = {.depth = 512, .tag = 64 << 20},
+		.reading.max_feature = (uint64_t)2 << 30,
 	};
 	uint64_t max_bytes = 0;
 	const struct option_row rows[] = {
@@ -98,9 +99,21 @@ main(int argc, char **argv)
 			.argument = "N",
 			.help = "Fail when elements nest deeper than N "
 				"(default: 512).",
-			.target = &options.reading.max_depth,
+			.target = &options.reading.xml.depth,
 			.low = 8,
 			.high = 1000000},
+		{.type = OPTION_BYTES,
+			.name = "max-tag",
+			.argument = "N",
+			.help = "Fail when a tag or comment is longer than N "
+				"bytes (default: 64M).",
+			.target = &options.reading.xml.tag},
+		{.type = OPTION_BYTES,
+			.name = "max-feature",
+			.argument = "N",
+			.help = "Fail when a top-level feature is longer than "
+				"N bytes (default: 2G).",
+			.target = &options.reading.max_feature},
 		{.type = OPTION_BYTES,
 			.name = "max-bytes",
 			.argument = "N",

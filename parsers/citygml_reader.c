@@ -369,11 +369,6 @@ element_start(struct gml_reader *reader, struct name *name,
 {
 	struct frame *top = gml_top(reader);
 
-	if (reader->frames.count > reader->options.max_depth)
-		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
-			"line %u: elements nest deeper than %u "
-			"(--max-depth)",
-			xml_line(reader->xml), reader->options.max_depth);
 	top->has_children = true;
 	if (is_dropped(reader, top, name))
 		return extension_drop(reader, fault);
@@ -520,12 +515,14 @@ gml_start_pass(
 	reader->handler = (struct xml_handler){
 		reader, gml_start, gml_end_element, gml_characters};
 	xml_free(reader->xml);
-	reader->xml = xml_new(&reader->handler, &reader->names);
+	reader->xml =
+		xml_new(&reader->handler, &reader->options.xml, &reader->names);
 	if (!reader->xml)
 		return fault_memory(fault);
 	raw_free(reader->raw);
 	reader->raw = NULL;
 	reader->objects = 0;
+	reader->object_bytes = 0;
 	reader->frames.at[0] = (struct frame){
 		.role = ROLE_DOCUMENT,
 		.attribute = TCS_NONE,
@@ -541,7 +538,19 @@ enum tcs_status
 gml_feed(struct gml_reader *reader, const char *bytes, size_t length,
 	struct tcs_fault *fault)
 {
-	return xml_feed(reader->xml, bytes, length, fault);
+	uint64_t object = reader->objects;
+	enum tcs_status status = xml_feed(reader->xml, bytes, length, fault);
+	bool within = reader->raw && reader->objects == object &&
+		reader->pass == PASS_OBJECTS;
+
+	reader->object_bytes = within ? reader->object_bytes + length : 0;
+	if (status || !reader->options.max_feature ||
+		reader->object_bytes <= reader->options.max_feature)
+		return status;
+	return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
+		"line %u: a feature is longer than %llu bytes (--max-feature)",
+		xml_line(reader->xml),
+		(unsigned long long)reader->options.max_feature);
 }
 
 struct raw_object *

@@ -12,7 +12,7 @@
  *     citygml_implicit.c    templates and where they are placed
  *     citygml_appearance.c  themes, materials and textures
  *
- * Nothing recurses: depth costs one frame, up to `max_depth`.
+ * Nothing recurses: depth costs one frame, up to a limit.
  */
 #ifndef TESSERA_CITYGML_READER_H
 #define TESSERA_CITYGML_READER_H
@@ -80,7 +80,9 @@ struct texture_text {
 };
 
 struct gml_options {
-	unsigned max_depth; /* open elements */
+	struct xml_limits xml;
+	uint64_t max_feature; /* bytes of a top-level feature, give or take the
+	                         pieces that are fed; 0: any */
 	bool drop_extensions; /* what is of no namespace of CityGML's or GML's
 	                         below the model is not read */
 };
@@ -105,6 +107,7 @@ struct gml_reader {
 	struct raw_object *ready, **ready_end; /* complete ones, in order */
 	struct raw_object *spare;
 	uint64_t objects; /* top-level features begun */
+	uint64_t object_bytes; /* fed since the one being read began */
 
 	/* the model */
 	TCS_ARRAY(struct gml_srs) systems;

@@ -9,15 +9,26 @@
 
 #include "array.h"
 
+/* A start tag that is too long for one piece, seen from outside. */
+struct tag_scan {
+	bool open; /* it has begun, and not ended */
+	char quote; /* that ends the value; 0 between values */
+	unsigned values;
+};
+
 struct xml_parser {
 	const struct xml_handler *handler;
+	const struct xml_limits *limits;
 	struct names *names;
 	xmlParserCtxtPtr context; /* made with the first bytes */
 	TCS_ARRAY(struct xml_attribute) attributes;
 	struct tcs_fault fault; /* the first failure */
 	enum tcs_status status;
 	bool began; /* the root element has been seen */
-	unsigned skipped; /* open elements of a subtree that is skipped */
+	unsigned depth; /* open elements */
+	unsigned skipped; /* of these, in a subtree that is skipped */
+	TCS_ARRAY(char) held; /* to be parsed together with more */
+	struct tag_scan scan;
 };
 
 static void
@@ -73,6 +84,14 @@ xml_take_attributes(
 	return TCS_OK;
 }
 
+static enum tcs_status
+xml_too_deep(struct xml_parser *parser)
+{
+	return fault_set(&parser->fault, TCS_LIMIT, TCS_NOWHERE,
+		"line %u: elements nest deeper than %u (--max-depth)",
+		xml_line(parser), parser->limits->depth);
+}
+
 static void
 xml_start(void *user, const xmlChar *local, const xmlChar *prefix,
 	const xmlChar *uri, int namespace_count, const xmlChar **namespaces,
@@ -86,6 +105,10 @@ xml_start(void *user, const xmlChar *local, const xmlChar *prefix,
 	(void)defaulted;
 	if (parser->status)
 		return;
+	if (++parser->depth > parser->limits->depth) {
+		xml_stop(parser, xml_too_deep(parser));
+		return;
+	}
 	if (parser->skipped) {
 		parser->skipped++;
 		return;
@@ -118,6 +141,7 @@ xml_end(void *user, const xmlChar *local, const xmlChar *prefix,
 	(void)uri;
 	if (parser->status)
 		return;
+	parser->depth--;
 	if (parser->skipped) {
 		parser->skipped--;
 		return;
@@ -159,6 +183,25 @@ xml_entity_declared(void *user, const xmlChar *name, int type,
 				xml_line(parser), plain(name)));
 }
 
+static void
+xml_attribute_declared(void *user, const xmlChar *element, const xmlChar *name,
+	int type, int kind, const xmlChar *value, xmlEnumerationPtr choices)
+{
+	struct xml_parser *parser = user;
+
+	(void)name;
+	(void)type;
+	(void)kind;
+	(void)value;
+	xmlFreeEnumeration(choices);
+	if (!parser->status)
+		xml_stop(parser,
+			fault_set(&parser->fault, TCS_BAD_INPUT, TCS_NOWHERE,
+				"line %u: attribute declarations are refused: "
+				"%.60s",
+				xml_line(parser), plain(element)));
+}
+
 /* Errors are collected by libxml2 and read from its context. */
 static void
 xml_quiet(void *user, xmlErrorPtr error)
@@ -178,18 +221,21 @@ xml_callbacks(void)
 		.ignorableWhitespace = xml_text,
 		.cdataBlock = xml_text,
 		.entityDecl = xml_entity_declared,
+		.attributeDecl = xml_attribute_declared,
 		.serror = xml_quiet,
 	};
 }
 
 struct xml_parser *
-xml_new(const struct xml_handler *handler, struct names *names)
+xml_new(const struct xml_handler *handler, const struct xml_limits *limits,
+	struct names *names)
 {
 	struct xml_parser *parser = calloc(1, sizeof *parser);
 
 	if (!parser)
 		return NULL;
 	parser->handler = handler;
+	parser->limits = limits;
 	parser->names = names;
 	return parser;
 }
@@ -206,6 +252,7 @@ xml_free(struct xml_parser *parser)
 		xmlFreeParserCtxt(parser->context);
 	}
 	array_release(&parser->attributes);
+	array_release(&parser->held);
 	free(parser);
 }
 
@@ -233,16 +280,137 @@ xml_begin(struct xml_parser *parser, const char *bytes, int length)
 }
 
 static enum tcs_status
-xml_malformed(struct xml_parser *parser, struct tcs_fault *fault)
+xml_malformed(struct xml_parser *parser)
 {
 	const xmlError *error = xmlCtxtGetLastError(parser->context);
 	const char *text =
 		error && error->message ? error->message : "not well-formed";
 	int line = error ? error->line : 1;
 
-	return fault_set(fault, TCS_BAD_INPUT, TCS_NOWHERE,
+	return fault_set(&parser->fault, TCS_BAD_INPUT, TCS_NOWHERE,
 		"line %d: not well-formed XML: %.*s", line,
 		(int)strcspn(text, "\n"), text);
+}
+
+/*
+ * libxml2 looks at an unfinished tag or comment anew, from its first byte, each
+ * time more of it comes. So more is held back until it is as long again, and
+ * the whole takes time in proportion.
+ */
+static size_t
+xml_pending(const struct xml_parser *parser)
+{
+	const xmlParserInput *input = parser->context->input;
+
+	return input ? (size_t)(input->end - input->cur) : 0;
+}
+
+/* Values of attributes on one tag, which libxml2 compares each with each. */
+#define MAX_VALUES 20000
+
+static void
+scan_bytes(struct tag_scan *scan, const char *at, size_t length)
+{
+	for (const char *end = at + length; scan->open && at < end; at++) {
+		if (scan->quote) {
+			if (*at == scan->quote)
+				scan->quote = 0;
+		} else if (*at == '"' || *at == '\'') {
+			scan->quote = *at;
+			scan->values++;
+		} else if (*at == '>') {
+			scan->open = false;
+		}
+	}
+}
+
+/* A tag that the parser waits for the end of; bytes that come are scanned. */
+static void
+scan_begin(struct xml_parser *parser, size_t pending)
+{
+	const char *at;
+
+	parser->scan = (struct tag_scan){0};
+	if (pending < 2)
+		return;
+	at = plain(parser->context->input->cur);
+	parser->scan.open = at[0] == '<' && at[1] != '!' && at[1] != '?';
+	scan_bytes(&parser->scan, at, pending);
+}
+
+static enum tcs_status
+xml_check_tag(struct xml_parser *parser, size_t length)
+{
+	if (length > parser->limits->tag)
+		return fault_set(&parser->fault, TCS_LIMIT, TCS_NOWHERE,
+			"line %u: a tag or comment is longer than %llu bytes "
+			"(--max-tag)",
+			xml_line(parser),
+			(unsigned long long)parser->limits->tag);
+	if (parser->scan.values > MAX_VALUES)
+		return fault_set(&parser->fault, TCS_LIMIT, TCS_NOWHERE,
+			"line %u: an element has more than %d attributes",
+			xml_line(parser), MAX_VALUES);
+	return TCS_OK;
+}
+
+/* Different names of elements, attributes and namespaces, all kept. */
+#define MAX_NAMES 50000
+
+static enum tcs_status
+xml_check_names(struct xml_parser *parser)
+{
+	if (xmlDictSize(parser->context->dict) <= MAX_NAMES)
+		return TCS_OK;
+	return fault_set(&parser->fault, TCS_LIMIT, TCS_NOWHERE,
+		"line %u: there are more than %d different names",
+		xml_line(parser), MAX_NAMES);
+}
+
+static enum tcs_status
+xml_parse(
+	struct xml_parser *parser, const char *bytes, size_t length, bool last)
+{
+	while (!parser->status && (length || last)) {
+		int part = length > INT_MAX / 2 ? INT_MAX / 2 : (int)length;
+
+		xmlParseChunk(parser->context, bytes, part, last);
+		bytes += part;
+		length -= (size_t)part;
+		if (!parser->status && !parser->context->wellFormed)
+			parser->status = xml_malformed(parser);
+		if (!parser->status)
+			parser->status = xml_check_names(parser);
+		if (last)
+			break;
+	}
+	parser->held.count = 0;
+	if (!parser->status && !last)
+		scan_begin(parser, xml_pending(parser));
+	return parser->status;
+}
+
+/* Parse what was held back and the bytes, or hold them back too. */
+static enum tcs_status
+xml_push(struct xml_parser *parser, const char *bytes, size_t length, bool last)
+{
+	size_t pending = xml_pending(parser);
+	size_t held = parser->held.count + length;
+
+	scan_bytes(&parser->scan, bytes, length);
+	parser->status = xml_check_tag(
+		parser, pending > length ? pending + held : pending);
+	if (parser->status || (!parser->held.count && length >= pending))
+		return parser->status ? parser->status
+				      : xml_parse(parser, bytes, length, last);
+	if (array_grow(&parser->held, length))
+		return fault_memory(&parser->fault);
+	if (length)
+		memcpy(parser->held.at + parser->held.count, bytes, length);
+	parser->held.count = held;
+	if (!last && held < pending)
+		return TCS_OK;
+	return xml_parse(parser, parser->held.at, held, last);
 }
 
 enum tcs_status
@@ -258,19 +426,8 @@ xml_feed(struct xml_parser *parser, const char *bytes, size_t length,
 		bytes += first;
 		length -= (size_t)first;
 	}
-	while (!parser->status && (length || last)) {
-		int part = length > INT_MAX / 2 ? INT_MAX / 2 : (int)length;
-
-		xmlParseChunk(parser->context, bytes, part, last);
-		bytes += part;
-		length -= (size_t)part;
-		if (parser->status)
-			break;
-		if (!parser->context->wellFormed)
-			return xml_malformed(parser, fault);
-		if (last)
-			break;
-	}
+	if (!parser->status && (length || last))
+		parser->status = xml_push(parser, bytes, length, last);
 	if (parser->status)
 		*fault = parser->fault;
 	return parser->status;

@@ -2,7 +2,7 @@
  * XML as events: libxml2's SAX2 push parser behind three calls.
  *
  * No network, no DTD, no entities but the predefined ones: a declared entity
- * ends the parse. Undeclared prefixes pass. Text is UTF-8 whatever the file's
+ * or default of an attribute ends the parse. Undeclared prefixes pass. Text is UTF-8 whatever the file's
  * encoding, and arrives in pieces.
  */
 #ifndef TESSERA_CITYGML_XML_H
@@ -35,17 +35,23 @@ struct xml_handler {
 		struct tcs_fault *fault);
 };
 
+struct xml_limits {
+	unsigned depth; /* open elements */
+	uint64_t tag; /* bytes of a tag, a comment or an instruction */
+};
+
 struct xml_parser;
 
-/* NULL without memory. `handler` and `names` must outlive the parser; names
- * are released with it, since they point into its dictionary. */
-struct xml_parser *xml_new(
-	const struct xml_handler *handler, struct names *names);
+/* NULL without memory. All three must outlive the parser; names are released
+ * with it, since they point into its dictionary. */
+struct xml_parser *xml_new(const struct xml_handler *handler,
+	const struct xml_limits *limits, struct names *names);
 void xml_free(struct xml_parser *parser);
 
 /*
  * Parse the next bytes; length 0 ends the document. Fails with TCS_BAD_INPUT
- * and the line for what is not well-formed, and with what a handler returned.
+ * and the line for what is not well-formed, with TCS_LIMIT, and with what a
+ * handler returned.
  */
 enum tcs_status xml_feed(struct xml_parser *parser, const char *bytes,
 	size_t length, struct tcs_fault *fault) TCS_CHECKED;

@@ -79,7 +79,7 @@ int
 LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	const struct gml_options options = {
-		.max_depth = 64,
+		.xml = {.depth = 64, .tag = 4096},
 		.drop_extensions = size && data[0] & 2,
 	};
 	struct target *target;
