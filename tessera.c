@@ -424,6 +424,8 @@ static const struct passed passed_options[] = {
 		"Folder of the texture images (default: that of the input).",
 		{"tcs2gltf"}, NULL},
 	{"max-image", "BYTES", "Largest texture image.", {"tcs2gltf"}, NULL},
+	{"instances", "HOW", "Repeated shapes: baked, nodes, gpu.",
+		{"tcs2gltf"}, NULL},
 	{"normals", "KIND", "Normals: flat, smooth, none.", {"tcs2gltf"}, NULL},
 	{"crease", "DEGREES", "Angle from which smooth normals keep an edge.",
 		{"tcs2gltf"}, NULL},

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -28,6 +29,8 @@ constexpr std::size_t batch_size = 64;
 constexpr char feature_extension[] = "EXT_mesh_features";
 constexpr char metadata_extension[] = "EXT_structural_metadata";
 constexpr char webp_extension[] = "EXT_texture_webp";
+constexpr char instance_extension[] = "EXT_mesh_gpu_instancing";
+constexpr char instance_ids_extension[] = "EXT_instance_features";
 
 /* The only place where exceptions end. */
 template <typename Work>
@@ -69,6 +72,9 @@ struct gltf_assembly {
 	tinygltf::Value::Array tables;
 	int sampler_of[TEXTURE_WRAPS] = {-1, -1, -1};
 	bool has_webp = false;
+	bool has_features = false;
+	bool has_instances = false;
+	std::vector<int> top; /* nodes under the root */
 	int accessor_count = 0;
 	int mesh_count = 0;
 	int node_count = 0;
@@ -104,7 +110,7 @@ flush_batch(struct gltf_assembly *assembly, struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
 
-	if (!assembly->batch.nodes.empty())
+	if (!assembly->batch.nodes.empty() || !assembly->batch.meshes.empty())
 		status = write_model(assembly, assembly->batch, false, fault);
 	assembly->batch.accessors.clear();
 	assembly->batch.meshes.clear();
@@ -150,17 +156,17 @@ push_accessor(struct gltf_assembly *assembly,
 }
 
 static tinygltf::Value
-feature_sets(const struct assembly_mesh &mesh)
+feature_sets(const uint32_t counts[ASSEMBLY_SETS])
 {
 	static const char *const labels[ASSEMBLY_SETS] = {"object", "surface"};
 	tinygltf::Value::Array sets;
 
 	for (uint32_t i = 0; i < ASSEMBLY_SETS; i++)
-		sets.emplace_back(tinygltf::Value::Object{
-			{"attribute", value_of(i)},
-			{"featureCount", value_of(mesh.feature_counts[i])},
-			{"label", value_of(labels[i])},
-			{"propertyTable", value_of(i)}});
+		sets.emplace_back(
+			tinygltf::Value::Object{{"attribute", value_of(i)},
+				{"featureCount", value_of(counts[i])},
+				{"label", value_of(labels[i])},
+				{"propertyTable", value_of(i)}});
 	return tinygltf::Value(tinygltf::Value::Object{
 		{"featureIds", tinygltf::Value(std::move(sets))}});
 }
@@ -179,7 +185,7 @@ push_vertices(struct gltf_assembly *assembly, const struct assembly_mesh &mesh)
 	if (mesh.normals.count)
 		attributes["NORMAL"] = push_accessor(
 			assembly, mesh.normals, TINYGLTF_TYPE_VEC3);
-	for (int i = 0; i < ASSEMBLY_SETS; i++)
+	for (int i = 0; i < ASSEMBLY_SETS && mesh.sets[0].count; i++)
 		attributes["_FEATURE_ID_" + std::to_string(i)] = push_accessor(
 			assembly, mesh.sets[i], TINYGLTF_TYPE_SCALAR);
 	return attributes;
@@ -193,8 +199,9 @@ push_mesh(struct gltf_assembly *assembly, const char *name,
 	int texcoords = mesh.texcoords.count
 		? push_accessor(assembly, mesh.texcoords, TINYGLTF_TYPE_VEC2)
 		: -1;
-	tinygltf::Value sets = feature_sets(mesh);
+	tinygltf::Value sets = feature_sets(mesh.feature_counts);
 
+	assembly->has_features |= mesh.sets[0].count > 0;
 	assembly->batch.meshes.emplace_back();
 	tinygltf::Mesh &made = assembly->batch.meshes.back();
 	made.name = name;
@@ -211,13 +218,55 @@ push_mesh(struct gltf_assembly *assembly, const char *name,
 			assembly, from.indices, TINYGLTF_TYPE_SCALAR);
 		primitive.material = static_cast<int>(from.material);
 		primitive.mode = TINYGLTF_MODE_TRIANGLES;
-		primitive.extensions[feature_extension] = sets;
+		if (mesh.sets[0].count)
+			primitive.extensions[feature_extension] = sets;
 	}
 }
 
 enum tcs_status
+assembly_add_mesh(struct gltf_assembly *assembly, const char *name,
+	const struct assembly_mesh *mesh, uint32_t *mesh_number,
+	struct tcs_fault *fault) noexcept
+{
+	return guarded(fault, [&] {
+		push_mesh(assembly, name, *mesh);
+		*mesh_number = static_cast<uint32_t>(assembly->mesh_count++);
+		if (assembly->batch.meshes.size() < batch_size)
+			return TCS_OK;
+		return flush_batch(assembly, fault);
+	});
+}
+
+constexpr double identity[16] = {
+	1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+/* Number and keep a node. */
+static int
+push_node(struct gltf_assembly *assembly, tinygltf::Node &&node)
+{
+	assembly->batch.nodes.push_back(std::move(node));
+	return assembly->node_count++;
+}
+
+static int
+push_child(struct gltf_assembly *assembly, const struct assembly_child &child)
+{
+	tinygltf::Node node;
+
+	node.name = child.name;
+	node.mesh = static_cast<int>(child.mesh);
+	if (!std::equal(child.matrix, child.matrix + 16, identity))
+		node.matrix.assign(child.matrix, child.matrix + 16);
+	node.extras = tinygltf::Value(
+		tinygltf::Value::Object{{"object", value_of(child.rows[0])},
+			{"surface", value_of(child.rows[1])}});
+	return push_node(assembly, std::move(node));
+}
+
+enum tcs_status
 assembly_add_node(struct gltf_assembly *assembly, const char *name,
-	const struct assembly_mesh *mesh, struct tcs_fault *fault) noexcept
+	const struct assembly_mesh *mesh, const struct assembly_child *children,
+	size_t child_count, struct tcs_fault *fault) noexcept
 {
 	return guarded(fault, [&] {
 		tinygltf::Node node;
@@ -227,11 +276,55 @@ assembly_add_node(struct gltf_assembly *assembly, const char *name,
 			push_mesh(assembly, name, *mesh);
 			node.mesh = assembly->mesh_count++;
 		}
-		assembly->batch.nodes.push_back(std::move(node));
-		assembly->node_count++;
+		for (std::size_t i = 0; i < child_count; i++)
+			node.children.push_back(
+				push_child(assembly, children[i]));
+		assembly->top.push_back(push_node(assembly, std::move(node)));
 		if (assembly->batch.nodes.size() < batch_size)
 			return TCS_OK;
 		return flush_batch(assembly, fault);
+	});
+}
+
+static tinygltf::Value
+push_places(
+	struct gltf_assembly *assembly, const struct assembly_instances &from)
+{
+	tinygltf::Value::Object out;
+	const auto add = [&](const std::string &name,
+				 const struct assembly_accessor &accessor,
+				 int type) {
+		out[name] = tinygltf::Value(
+			push_accessor(assembly, accessor, type));
+	};
+
+	add("TRANSLATION", from.translations, TINYGLTF_TYPE_VEC3);
+	add("ROTATION", from.rotations, TINYGLTF_TYPE_VEC4);
+	add("SCALE", from.scales, TINYGLTF_TYPE_VEC3);
+	for (int i = 0; i < ASSEMBLY_SETS; i++)
+		add("_FEATURE_ID_" + std::to_string(i), from.sets[i],
+			TINYGLTF_TYPE_SCALAR);
+	return tinygltf::Value(tinygltf::Value::Object{
+		{"attributes", tinygltf::Value(std::move(out))}});
+}
+
+enum tcs_status
+assembly_add_instances(struct gltf_assembly *assembly, const char *name,
+	const struct assembly_instances *instances,
+	struct tcs_fault *fault) noexcept
+{
+	return guarded(fault, [&] {
+		tinygltf::Node node;
+
+		node.name = name;
+		node.mesh = static_cast<int>(instances->mesh);
+		node.extensions[instance_extension] =
+			push_places(assembly, *instances);
+		node.extensions[instance_ids_extension] =
+			feature_sets(instances->feature_counts);
+		assembly->has_instances = true;
+		assembly->top.push_back(push_node(assembly, std::move(node)));
+		return TCS_OK;
 	});
 }
 
@@ -463,7 +556,7 @@ add_metadata(struct gltf_assembly *assembly)
 		tinygltf::Value::Object{{"schema", tinygltf::Value(schema)},
 			{"propertyTables", tinygltf::Value(assembly->tables)}});
 	assembly->rest.extensionsUsed.emplace_back(metadata_extension);
-	if (assembly->mesh_count)
+	if (assembly->has_features)
 		assembly->rest.extensionsUsed.emplace_back(feature_extension);
 }
 
@@ -479,8 +572,7 @@ add_scene(struct gltf_assembly *assembly, const struct assembly_root &root)
 		node.name = root.name;
 		node.matrix.assign(root.matrix, root.matrix + 16);
 		node.extras = describe_place(root);
-		for (int i = 0; i < assembly->node_count; i++)
-			node.children.push_back(i);
+		node.children = assembly->top;
 		scene.nodes.push_back(assembly->node_count);
 		assembly->rest.nodes.push_back(std::move(node));
 	}
@@ -516,6 +608,13 @@ write_rest(struct gltf_assembly *assembly, const struct assembly_root &root,
 
 	if (status)
 		return status;
+	if (assembly->has_instances) {
+		assembly->rest.extensionsUsed.emplace_back(instance_extension);
+		assembly->rest.extensionsUsed.emplace_back(
+			instance_ids_extension);
+		assembly->rest.extensionsRequired.emplace_back(
+			instance_extension);
+	}
 	if (assembly->has_webp) {
 		assembly->rest.extensionsUsed.emplace_back(webp_extension);
 		assembly->rest.extensionsRequired.emplace_back(webp_extension);

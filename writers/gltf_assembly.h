@@ -8,7 +8,8 @@
  * This is the border to C++: no exception passes it, running out of memory is
  * TCS_NO_MEMORY, and text that is not UTF-8 is TCS_BAD_INPUT.
  *
- * source: glTF 2.0; EXT_texture_webp; EXT_mesh_features; EXT_structural_metadata;
+ * source: glTF 2.0; EXT_texture_webp; EXT_mesh_gpu_instancing;
+ * EXT_instance_features; EXT_mesh_features; EXT_structural_metadata;
  * 3D Metadata Semantic Reference (ID, NAME).
  */
 #ifndef TESSERA_GLTF_ASSEMBLY_H
@@ -53,7 +54,10 @@ struct assembly_primitive {
 	bool is_textured; /* it has the mesh's texture coordinates */
 };
 
-/* One mesh, whose primitives share their vertices. */
+/*
+ * One mesh, whose primitives share their vertices. Without ids in the first
+ * set it has no features.
+ */
 struct assembly_mesh {
 	struct assembly_accessor positions;
 	struct assembly_accessor normals; /* count 0: none */
@@ -63,6 +67,22 @@ struct assembly_mesh {
 	float lower[3], upper[3]; /* of the positions */
 	const struct assembly_primitive *primitives;
 	size_t primitive_count;
+};
+
+/* A shared mesh below the node of an object. */
+struct assembly_child {
+	const char *name;
+	uint32_t mesh;
+	uint32_t rows[ASSEMBLY_SETS]; /* feature ids, for the extras */
+	double matrix[16]; /* column by column */
+};
+
+/* A shared mesh in many places; an element of each accessor per place. */
+struct assembly_instances {
+	uint32_t mesh;
+	struct assembly_accessor translations, rotations, scales;
+	struct assembly_accessor sets[ASSEMBLY_SETS]; /* feature ids */
+	uint32_t feature_counts[ASSEMBLY_SETS]; /* different ids in each */
 };
 
 enum assembly_target {
@@ -113,6 +133,18 @@ void assembly_free(struct gltf_assembly *assembly) GLTF_NOEXCEPT;
 /* One node under the root. `mesh` may be NULL. */
 enum tcs_status assembly_add_node(struct gltf_assembly *assembly,
 	const char *name, const struct assembly_mesh *mesh,
+	const struct assembly_child *children, size_t child_count,
+	struct tcs_fault *fault) GLTF_NOEXCEPT TCS_CHECKED;
+
+/* A mesh for children and instances; its number in *mesh_number. */
+enum tcs_status assembly_add_mesh(struct gltf_assembly *assembly,
+	const char *name, const struct assembly_mesh *mesh,
+	uint32_t *mesh_number,
+	struct tcs_fault *fault) GLTF_NOEXCEPT TCS_CHECKED;
+
+/* One node under the root for all of them. */
+enum tcs_status assembly_add_instances(struct gltf_assembly *assembly,
+	const char *name, const struct assembly_instances *instances,
 	struct tcs_fault *fault) GLTF_NOEXCEPT TCS_CHECKED;
 
 /* Views, materials, images, textures, tables are numbered from 0 in the order they come. */

@@ -3,9 +3,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "gltf_numbers.h"
+#include "gltf_shared.h"
 #include "labels.h"
 
-enum { ID_ROOM = 80, CHUNK = 4096 };
+enum { ID_ROOM = 80 };
 
 enum tcs_status
 city_begin(struct city *city, const struct city_settings *settings,
@@ -17,6 +19,7 @@ city_begin(struct city *city, const struct city_settings *settings,
 		.textures.folder = {settings->image_folder,
 			settings->image_limit, 0},
 		.drop_textures = settings->drop_textures,
+		.shared.on_gpu = settings->gpu_instances,
 	};
 	for (int i = 0; i < CITY_PARTS; i++)
 		city->open[i] = TCS_NONE;
@@ -114,110 +117,7 @@ add_rows(struct city *city, const struct tcs_object *object,
 	return status;
 }
 
-/* ---- numbers --------------------------------------------------------- */
-
-/* Where the bytes will go that are about to be written to a part. */
-static enum tcs_status
-city_reserve(struct city *city, enum city_part part, uint64_t bytes,
-	struct assembly_accessor *out, struct tcs_fault *fault)
-{
-	uint64_t at = city->parts[part].size;
-	uint32_t *open = city->open + part;
-	struct city_view *view;
-
-	if (*open == TCS_NONE ||
-		at + bytes - city->views.at[*open].start > CITY_VIEW) {
-		if (array_grow(&city->views, 1))
-			return fault_memory(fault);
-		*open = (uint32_t)city->views.count;
-		city->views.at[city->views.count++] =
-			(struct city_view){part, at, at};
-	}
-	view = city->views.at + *open;
-	out->view = *open;
-	out->offset = at - view->start;
-	view->end = at + bytes;
-	return TCS_OK;
-}
-
-static enum tcs_status
-add_floats(struct city *city, enum city_part part, const float *values,
-	size_t count, unsigned width, struct assembly_accessor *out,
-	struct tcs_fault *fault)
-{
-	enum tcs_status status;
-
-	out->component = ASSEMBLY_FLOAT;
-	out->count = (uint32_t)(count / width);
-	if (!count)
-		return TCS_OK;
-	status = city_reserve(city, part, count * sizeof *values, out, fault);
-	return status ? status
-		      : spool_write(city->parts + part, values,
-				count * sizeof *values, fault);
-}
-
-/*
- * Feature ids, four bytes apart: UNSIGNED_SHORT while the largest fits, FLOAT
- * beyond. `features` NULL: all are `base`.
- */
-static enum tcs_status
-add_ids(struct city *city, const uint32_t *features, size_t count,
-	uint32_t base, uint32_t largest, struct assembly_accessor *out,
-	struct tcs_fault *fault)
-{
-	bool is_short = largest <= UINT16_MAX;
-	uint32_t shorts[CHUNK];
-	float floats[CHUNK];
-	const void *chunk = is_short ? (const void *)shorts : floats;
-	enum tcs_status status;
-
-	out->component = is_short ? ASSEMBLY_UNSIGNED_SHORT : ASSEMBLY_FLOAT;
-	out->count = (uint32_t)count;
-	status = city_reserve(city, CITY_IDS, count * 4, out, fault);
-	for (size_t first = 0; first < count && !status; first += CHUNK) {
-		size_t size = count - first < CHUNK ? count - first : CHUNK;
-
-		for (size_t i = 0; i < size; i++) {
-			uint32_t id =
-				base + (features ? features[first + i] : 0);
-
-			shorts[i] = id;
-			floats[i] = (float)id;
-		}
-		status = spool_write(
-			city->parts + CITY_IDS, chunk, size * 4, fault);
-	}
-	return status;
-}
-
-static enum tcs_status
-add_indices(struct city *city, const uint32_t *indices, size_t count,
-	bool narrow, struct assembly_accessor *out, struct tcs_fault *fault)
-{
-	struct spool *spool = city->parts + CITY_INDICES;
-	uint16_t shorts[CHUNK];
-	size_t width = narrow ? sizeof *shorts : sizeof *indices;
-	enum tcs_status status;
-
-	out->component =
-		narrow ? ASSEMBLY_UNSIGNED_SHORT : ASSEMBLY_UNSIGNED_INT;
-	out->count = (uint32_t)count;
-	status = spool_align(spool, 4, fault);
-	if (!status)
-		status = city_reserve(
-			city, CITY_INDICES, count * width, out, fault);
-	if (!status && !narrow)
-		return spool_write(spool, indices, count * width, fault);
-	for (size_t first = 0; first < count && !status; first += CHUNK) {
-		size_t size = count - first < CHUNK ? count - first : CHUNK;
-
-		for (size_t i = 0; i < size; i++)
-			shorts[i] = (uint16_t)indices[first + i];
-		status = spool_write(spool, shorts, size * width, fault);
-	}
-	return status;
-}
+/* ---- meshes ---------------------------------------------------------- */
 
 static enum tcs_status
 add_primitives(
@@ -237,7 +137,7 @@ add_primitives(
 		status = materials_find(&city->materials, run->paint,
 			&city->palette, &city->textures, &to->material, fault);
 		if (!status)
-			status = add_indices(city,
+			status = city_add_indices(city,
 				mesh->indices.at + run->first, run->count,
 				narrow, &to->indices, fault);
 	}
@@ -280,39 +180,76 @@ mesh_is_textured(const struct mesh *mesh)
 	return false;
 }
 
+enum tcs_status
+city_add_mesh(struct city *city, struct mesh *mesh, struct assembly_mesh *out,
+	struct report *report, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	if (mesh->texcoords.count)
+		status = find_textures(city, mesh, report, fault);
+	if (!status)
+		status = city_add_floats(city, CITY_POSITIONS,
+			mesh->positions.at, mesh->positions.count, 3,
+			&out->positions, fault);
+	if (!status)
+		status = city_add_floats(city, CITY_NORMALS, mesh->normals.at,
+			mesh->normals.count, 3, &out->normals, fault);
+	if (!status && mesh_is_textured(mesh))
+		status = city_add_floats(city, CITY_TEXCOORDS,
+			mesh->texcoords.at, mesh->texcoords.count, 2,
+			&out->texcoords, fault);
+	if (!status)
+		status = add_primitives(city, mesh, fault);
+	out->primitives = city->primitives.at;
+	out->primitive_count = city->primitives.count;
+	mesh_bounds(mesh, out->lower, out->upper);
+	return status;
+}
+
 static enum tcs_status
-add_mesh(struct city *city, struct mesh *mesh, size_t feature_count,
+add_feature_ids(struct city *city, struct mesh *mesh, size_t feature_count,
 	uint32_t object_row, uint32_t base, struct assembly_mesh *out,
 	struct tcs_fault *fault)
 {
 	size_t count = mesh->features.count;
 	uint32_t largest = base + (uint32_t)feature_count - 1;
-	enum tcs_status status =
-		add_floats(city, CITY_POSITIONS, mesh->positions.at,
-			mesh->positions.count, 3, &out->positions, fault);
+	enum tcs_status status = city_add_ids(
+		city, NULL, count, object_row, object_row, out->sets, fault);
 
 	if (!status)
-		status = add_floats(city, CITY_NORMALS, mesh->normals.at,
-			mesh->normals.count, 3, &out->normals, fault);
-	if (!status && mesh_is_textured(mesh))
-		status = add_floats(city, CITY_TEXCOORDS, mesh->texcoords.at,
-			mesh->texcoords.count, 2, &out->texcoords, fault);
-	if (!status)
-		status = add_ids(city, NULL, count, object_row, object_row,
-			out->sets, fault);
-	if (!status)
-		status = add_ids(city, mesh->features.at, count, base, largest,
-			out->sets + 1, fault);
-	if (!status)
-		status = add_primitives(city, mesh, fault);
-	if (!status)
-		status = mesh_count_features(
-			mesh, feature_count, out->feature_counts + 1, fault);
+		status = city_add_ids(city, mesh->features.at, count, base,
+			largest, out->sets + 1, fault);
 	out->feature_counts[0] = 1;
-	out->primitives = city->primitives.at;
-	out->primitive_count = city->primitives.count;
-	mesh_bounds(mesh, out->lower, out->upper);
-	return status;
+	return status ? status
+		      : mesh_count_features(mesh, feature_count,
+				out->feature_counts + 1, fault);
+}
+
+/* The children of an object's node: its instances, named as their features. */
+static enum tcs_status
+find_children(struct city *city, const struct tcs_object *object,
+	const struct mesh *mesh, uint32_t object_row, uint32_t base,
+	struct tcs_fault *fault)
+{
+	array_clear(&city->children);
+	if (array_grow(&city->children, mesh->instances.count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < mesh->instances.count; i++) {
+		const struct mesh_instance *from = mesh->instances.at + i;
+		struct assembly_child to = {
+			.name = object_text(
+				object, object->features.at[from->feature].id),
+			.rows = {object_row, base + from->feature},
+			.mesh = shared_mesh(city, from),
+		};
+
+		if (to.mesh == TCS_NONE)
+			continue;
+		memcpy(to.matrix, from->matrix, sizeof to.matrix);
+		city->children.at[city->children.count++] = to;
+	}
+	return TCS_OK;
 }
 
 enum tcs_status
@@ -323,18 +260,26 @@ city_add_object(struct city *city, const struct tcs_object *object,
 	uint32_t base = city->tables[1].row_count;
 	struct assembly_mesh made = {.primitives = NULL};
 	bool empty = !mesh->features.count;
+	bool stands = city->shared.on_gpu && mesh->instances.count;
 	char room[ID_ROOM];
 	enum tcs_status status = add_rows(city, object, report, fault);
 
-	if (!status && mesh->texcoords.count)
-		status = find_textures(city, mesh, report, fault);
 	if (!status && !empty)
-		status = add_mesh(city, mesh, object->features.count,
+		status = city_add_mesh(city, mesh, &made, report, fault);
+	if (!status && !empty)
+		status = add_feature_ids(city, mesh, object->features.count,
 			object_row, base, &made, fault);
-	return status ? status
-		      : assembly_add_node(city->assembly,
-				feature_id(object, 0, base, room),
-				empty ? NULL : &made, fault);
+	array_clear(&city->children);
+	if (!status && stands)
+		status = shared_stand(city, mesh, object_row, base, fault);
+	else if (!status)
+		status = find_children(
+			city, object, mesh, object_row, base, fault);
+	if (status || (stands && empty))
+		return status;
+	return assembly_add_node(city->assembly,
+		feature_id(object, 0, base, room), empty ? NULL : &made,
+		city->children.at, city->children.count, fault);
 }
 
 void
@@ -348,6 +293,8 @@ city_release(struct city *city)
 		assembly_free(city->assembly);
 	array_release(&city->views);
 	array_release(&city->primitives);
+	array_release(&city->children);
+	shared_release(&city->shared);
 	materials_release(&city->materials);
 	textures_release(&city->textures);
 	palette_release(&city->palette);

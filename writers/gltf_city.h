@@ -33,6 +33,7 @@ enum city_part {
 	CITY_NORMALS,
 	CITY_TEXCOORDS,
 	CITY_IDS,
+	CITY_ROTATIONS,
 	CITY_INDICES,
 	CITY_METADATA,
 	CITY_IMAGES,
@@ -42,6 +43,25 @@ enum city_part {
 struct city_view {
 	enum city_part part;
 	uint64_t start, end; /* in the part's spool */
+};
+
+/* An instance, drawn by the GPU among the others of its mesh. */
+struct shared_stand {
+	double matrix[16];
+	uint32_t rows[ASSEMBLY_SETS]; /* of its object and its feature */
+};
+
+/* A prototype that is a mesh of its own, coloured for one class. */
+struct shared_mesh {
+	uint32_t mesh; /* of the glTF; TCS_NONE: nothing to see */
+	char *name; /* owned */
+	TCS_ARRAY(struct shared_stand) stands; /* if on the GPU */
+};
+
+struct shared_meshes {
+	bool on_gpu; /* else a node per instance */
+	struct byte_index keys; /* prototype and class; same numbers as … */
+	TCS_ARRAY(struct shared_mesh) all;
 };
 
 struct city {
@@ -54,7 +74,9 @@ struct city {
 	bool drop_textures;
 	struct tcs_palette palette; /* all entries so far, without bytes */
 	struct table tables[ASSEMBLY_SETS];
+	struct shared_meshes shared;
 	TCS_ARRAY(struct assembly_primitive) primitives; /* scratch */
+	TCS_ARRAY(struct assembly_child) children; /* scratch */
 };
 
 struct city_settings {
@@ -63,6 +85,7 @@ struct city_settings {
 	uint64_t image_limit; /* bytes of one image */
 	uint32_t column_limit; /* of attributes in a table */
 	bool drop_textures;
+	bool gpu_instances; /* what is shared: attributes, not nodes */
 };
 
 /* On failure too the city must be released. */
@@ -75,10 +98,19 @@ enum tcs_status city_add_palette(struct city *city,
 	const struct tcs_palette *palette, struct report *report,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/* The mesh's scratch arrays are used. Fails with TCS_LIMIT among others. */
+/*
+ * The meshes that the object's instances share were added before; see
+ * gltf_shared.h. The mesh's scratch arrays are used. Fails with TCS_LIMIT among
+ * others.
+ */
 enum tcs_status city_add_object(struct city *city,
 	const struct tcs_object *object, struct mesh *mesh,
 	struct report *report, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Append all of a mesh but its feature ids. */
+enum tcs_status city_add_mesh(struct city *city, struct mesh *mesh,
+	struct assembly_mesh *out, struct report *report,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /*
  * All objects have come: complete tables and JSON. Fills root->buffer_size;

@@ -4,7 +4,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "gltf_placement.h"
 #include "labels.h"
+
+#define NEAR 65536 /* metres; 32-bit floats are true to 4 mm there */
 
 /* Everything a conversion passes down. */
 struct conversion {
@@ -91,7 +94,7 @@ find_paints(struct conversion *to, const struct tcs_object *object)
 }
 
 static struct mesh_paint
-polygon_paint(const struct conversion *to, uint32_t polygon, uint16_t class,
+polygon_paint(const struct conversion *to, uint32_t polygon, uint32_t class,
 	const struct tcs_geometry *geometry)
 {
 	struct mesh_paint paint = to->converter->paints.at[polygon];
@@ -160,30 +163,32 @@ remember_drawn(struct conversion *to, const struct tcs_object *object,
 	return status;
 }
 
-/*
- * Draw one geometry of `object`, which is the object converted or a prototype.
- * In a prototype every surface is the feature `placed`.
- */
+/* For whom a prototype is drawn: every surface of it is this feature. */
+struct placed {
+	uint32_t feature;
+	uint32_t class;
+};
+
+/* Draw one geometry of `object`; it is a prototype if it is placed. */
 static enum tcs_status
 draw_geometry(struct conversion *to, const struct tcs_object *object,
 	const struct tcs_geometry *geometry, const struct mesh_place *place,
-	uint32_t placed)
+	const struct placed *placed)
 {
 	enum tcs_status status = TCS_OK;
 	uint32_t end = geometry->first_polygon + geometry->polygon_count;
 
 	for (uint32_t i = geometry->first_polygon; i < end && !status; i++) {
 		const struct tcs_polygon *polygon = object->polygons.at + i;
-		uint32_t feature =
-			placed == TCS_NONE ? polygon->surface : placed;
-		uint16_t class = object->features.at[polygon->surface].class;
+		uint32_t feature = placed ? placed->feature : polygon->surface;
+		uint32_t class = object->features.at[polygon->surface].class;
 		struct mesh_paint paint;
 		enum mesh_outcome outcome;
 
 		if (is_repeated(to, object, polygon))
 			continue;
-		if (placed != TCS_NONE && class == TCS_CLASS_Unknown)
-			class = to->object->features.at[placed].class;
+		if (placed && class == TCS_CLASS_Unknown)
+			class = placed->class;
 		paint = polygon_paint(to, i, class, geometry);
 		status = mesh_add_polygon(to->mesh, object, polygon, place,
 			feature, &paint, to->settings->normals, &outcome,
@@ -235,7 +240,7 @@ draw_geometries(struct conversion *to)
 			status = note_geometry(to, geometry);
 			continue;
 		}
-		status = draw_geometry(to, object, geometry, &place, TCS_NONE);
+		status = draw_geometry(to, object, geometry, &place, NULL);
 		if (!status && shared)
 			status = remember_drawn(to, object, geometry);
 	}
@@ -245,26 +250,61 @@ draw_geometries(struct conversion *to)
 /* ---- instances ------------------------------------------------------- */
 
 static enum tcs_status
-draw_instance(struct conversion *to, const struct tcs_instance *instance)
+draw_prototype(struct conversion *to, const struct tcs_object *prototype,
+	const struct mesh_place *place, const struct placed *placed)
 {
-	const struct tcs_object *prototype = to->prototypes->get(
-		to->prototypes->context, instance->prototype);
-	struct mesh_place place = {&to->settings->frame, instance};
-	enum tcs_status status;
+	enum tcs_status status = find_paints(to, prototype);
 
 	byte_index_clear(&to->converter->drawn);
-	status = find_paints(to, prototype);
 	for (size_t i = 0; i < prototype->geometries.count && !status; i++) {
 		const struct tcs_geometry *geometry =
 			prototype->geometries.at + i;
 
 		status = geometry_has_area(geometry)
-			? draw_geometry(to, prototype, geometry, &place,
-				  instance->feature)
+			? draw_geometry(to, prototype, geometry, place, placed)
 			: note_geometry(to, geometry);
 	}
-	return status ? status
-		      : report_add(to->report, "instances", 1, to->fault);
+	return status;
+}
+
+/*
+ * Coordinates of its own are small in a prototype that can stay a mesh: others
+ * would lose their digits before the matrix brings them near.
+ */
+static bool
+can_be_shared(const struct conversion *to, const struct tcs_object *prototype,
+	const struct tcs_instance *instance, double matrix[16])
+{
+	const struct tcs_point *first = prototype->vertices.at;
+
+	return to->settings->instances != INSTANCES_BAKED &&
+		prototype->vertices.count && fabs(first->x) < NEAR &&
+		fabs(first->y) < NEAR && fabs(first->z) < NEAR &&
+		placement_matrix(matrix, &to->settings->frame, instance);
+}
+
+static enum tcs_status
+draw_instance(struct conversion *to, const struct tcs_instance *instance)
+{
+	const struct tcs_object *prototype = to->prototypes->get(
+		to->prototypes->context, instance->prototype);
+	const struct mesh_place place = {&to->settings->frame, instance};
+	const struct placed placed = {instance->feature,
+		to->object->features.at[instance->feature].class};
+	struct mesh_instance shared = {
+		instance->feature, instance->prototype, placed.class, {0}};
+	enum tcs_status status;
+
+	if (!can_be_shared(to, prototype, instance, shared.matrix)) {
+		status = draw_prototype(to, prototype, &place, &placed);
+		return status
+			? status
+			: report_add(to->report, "instances", 1, to->fault);
+	}
+	if (array_grow(&to->mesh->instances, 1))
+		return fault_memory(to->fault);
+	to->mesh->instances.at[to->mesh->instances.count++] = shared;
+	return report_add(to->report, "instances", 1, to->fault);
 }
 
 static enum tcs_status
@@ -284,7 +324,7 @@ draw_instances(struct conversion *to)
 /* ---- the whole ------------------------------------------------------- */
 
 static enum tcs_status
-note_rest(struct conversion *to)
+note_relations(struct conversion *to)
 {
 	const struct tcs_object *object = to->object;
 	enum tcs_status status = TCS_OK;
@@ -297,13 +337,36 @@ note_rest(struct conversion *to)
 			object_text(object, object->features.at[feature].id),
 			TCS_NOWHERE, to->fault);
 	}
-	if (!status && to->mesh->flat_triangles)
+	return status;
+}
+
+/* What all polygons need once they are drawn. */
+static enum tcs_status
+finish_mesh(struct conversion *to)
+{
+	struct mesh *mesh = to->mesh;
+	enum tcs_status status = TCS_OK;
+
+	if (to->settings->normals == MESH_SMOOTH)
+		status = mesh_smooth(
+			mesh, to->settings->crease_cosine, to->fault);
+	if (!status)
+		status = report_add(
+			to->report, "polygons", mesh->runs.count, to->fault);
+	return status ? status : mesh_group(mesh, to->fault);
+}
+
+static enum tcs_status
+note_triangles(const struct conversion *to)
+{
+	enum tcs_status status = TCS_OK;
+
+	if (to->mesh->flat_triangles)
 		status = report_add(to->report, "triangles without area",
 			to->mesh->flat_triangles, to->fault);
-	if (!status)
-		status = report_add(to->report, "triangles",
-			to->mesh->indices.count / 3, to->fault);
-	return status;
+	return status ? status
+		      : report_add(to->report, "triangles",
+				to->mesh->indices.count / 3, to->fault);
 }
 
 enum tcs_status
@@ -325,14 +388,31 @@ convert_object(struct converter *converter,
 		status = draw_geometries(&to);
 	if (!status)
 		status = draw_instances(&to);
-	if (!status && settings->normals == MESH_SMOOTH)
-		status = mesh_smooth(mesh, settings->crease_cosine, fault);
 	if (!status)
-		status =
-			report_add(report, "polygons", mesh->runs.count, fault);
+		status = finish_mesh(&to);
 	if (!status)
-		status = mesh_group(mesh, fault);
-	return status ? status : note_rest(&to);
+		status = note_relations(&to);
+	return status ? status : note_triangles(&to);
+}
+
+enum tcs_status
+convert_prototype(struct converter *converter,
+	const struct convert_settings *settings,
+	const struct tcs_object *prototype, uint32_t class, struct mesh *mesh,
+	struct report *report, struct tcs_fault *fault)
+{
+	struct conversion to = {
+		converter, settings, NULL, prototype, mesh, report, fault};
+	const struct mesh_place place = {NULL, NULL};
+	const struct placed placed = {0, class};
+	enum tcs_status status;
+
+	mesh_clear(mesh);
+	mesh->triangle_limit = settings->triangle_limit;
+	status = draw_prototype(&to, prototype, &place, &placed);
+	if (!status)
+		status = finish_mesh(&to);
+	return status ? status : note_triangles(&to);
 }
 
 void

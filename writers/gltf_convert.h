@@ -15,10 +15,17 @@
 #include "report.h"
 #include "tcs.h"
 
+enum convert_instances {
+	INSTANCES_BAKED, /* drawn where they stand, in the object's mesh */
+	INSTANCES_NODES, /* nodes that share the prototype's mesh */
+	INSTANCES_GPU, /* attributes of one node of the prototype's mesh */
+};
+
 struct convert_settings {
 	const char *theme; /* NULL: the first one of each object */
 	bool drop_textures; /* colour by material and class only */
 	int lod; /* a level or SELECT_… */
+	enum convert_instances instances;
 	enum mesh_normals normals;
 	double crease_cosine; /* of smooth normals */
 	uint64_t triangle_limit; /* in one object; 0: none */
@@ -40,12 +47,21 @@ struct converter {
 
 /*
  * Fill `mesh` (cleared first) from `object` and report what has no place in
- * it. Fails with TCS_NO_MEMORY or TCS_LIMIT.
+ * it. Instances that cannot be nodes are always drawn where they stand. Fails with TCS_NO_MEMORY or TCS_LIMIT.
  */
 enum tcs_status convert_object(struct converter *converter,
 	const struct convert_settings *settings,
 	const struct prototype_source *prototypes,
 	const struct tcs_object *object, struct mesh *mesh,
+	struct report *report, struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Fill `mesh` from a prototype in its own coordinates, for instances that share
+ * it; what has no class of its own is coloured as one of `class`.
+ */
+enum tcs_status convert_prototype(struct converter *converter,
+	const struct convert_settings *settings,
+	const struct tcs_object *prototype, uint32_t class, struct mesh *mesh,
 	struct report *report, struct tcs_fault *fault) TCS_CHECKED;
 
 void converter_release(struct converter *converter);

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gltf_shared.h"
+
 /* ---- metadata -------------------------------------------------------- */
 
 /* A view of its own for bytes that are complete. */
@@ -141,6 +143,7 @@ add_views(struct city *city, uint64_t *buffer_size, struct tcs_fault *fault)
 		[CITY_NORMALS] = {0, 0, 12, ASSEMBLY_VERTICES},
 		[CITY_TEXCOORDS] = {0, 0, 8, ASSEMBLY_VERTICES},
 		[CITY_IDS] = {0, 0, 4, ASSEMBLY_VERTICES},
+		[CITY_ROTATIONS] = {0, 0, 16, ASSEMBLY_VERTICES},
 		[CITY_INDICES] = {0, 0, 0, ASSEMBLY_INDICES},
 		[CITY_METADATA] = {0, 0, 0, ASSEMBLY_ANYTHING},
 		[CITY_IMAGES] = {0, 0, 0, ASSEMBLY_ANYTHING},
@@ -170,7 +173,7 @@ city_finish(struct city *city, struct assembly_root *root, uint64_t *json_size,
 	struct tcs_fault *fault)
 {
 	static const char *const classes[ASSEMBLY_SETS] = {"object", "surface"};
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status = shared_finish(city, fault);
 
 	for (int i = 0; i < ASSEMBLY_SETS && !status; i++)
 		if (city->tables[i].row_count)

@@ -31,6 +31,8 @@ place_point(const struct mesh_place *place, struct tcs_point p)
 	const double *m;
 	struct tcs_point moved, anchor;
 
+	if (!place->frame)
+		return p;
 	if (!by)
 		return frame_to_local(place->frame, p);
 	m = by->matrix;
@@ -438,6 +440,7 @@ mesh_clear(struct mesh *mesh)
 	array_clear(&mesh->features);
 	array_clear(&mesh->indices);
 	array_clear(&mesh->runs);
+	array_clear(&mesh->instances);
 	mesh->flat_triangles = 0;
 }
 
@@ -450,6 +453,7 @@ mesh_release(struct mesh *mesh)
 	array_release(&mesh->features);
 	array_release(&mesh->indices);
 	array_release(&mesh->runs);
+	array_release(&mesh->instances);
 	array_release(&mesh->local);
 	array_release(&mesh->used);
 	array_release(&mesh->sorted);

@@ -48,6 +48,14 @@ struct mesh_point {
 	float x, y, z;
 };
 
+/* A prototype that stays a mesh of its own. */
+struct mesh_instance {
+	uint32_t feature; /* that owns the instance */
+	uint32_t prototype;
+	uint32_t class; /* for the colour of what has no other */
+	double matrix[16]; /* placement_matrix */
+};
+
 TCS_ARRAY_TYPE(mesh_indices, uint32_t);
 TCS_ARRAY_TYPE(mesh_runs, struct mesh_run);
 
@@ -60,6 +68,7 @@ struct mesh {
 	TCS_ARRAY(uint32_t) features; /* per vertex: index in the object */
 	struct mesh_indices indices; /* three a triangle */
 	struct mesh_runs runs; /* one per polygon, then one per paint */
+	TCS_ARRAY(struct mesh_instance) instances; /* not in the arrays */
 	uint64_t triangle_limit; /* 0: none */
 	uint64_t flat_triangles; /* left out: no area */
 	TCS_ARRAY(struct mesh_point) local; /* scratch: the polygon, metres */
@@ -70,7 +79,7 @@ struct mesh {
 
 /* How a polygon reaches the frame: by an instance, or NULL directly. */
 struct mesh_place {
-	const struct frame *frame;
+	const struct frame *frame; /* NULL: it stays where it is */
 	const struct tcs_instance *instance;
 };
 

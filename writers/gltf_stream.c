@@ -5,6 +5,7 @@
 
 #include "crew.h"
 #include "gltf_prototypes.h"
+#include "gltf_shared.h"
 
 /* A record on its way through the crew. */
 struct item {
@@ -23,7 +24,8 @@ struct passage {
 	struct city *city;
 	struct report *report;
 	struct progress *progress;
-	struct converter *converters; /* one per worker */
+	struct converter *converters; /* one per worker, one for prototypes */
+	struct mesh shared; /* scratch: a prototype */
 	bool has_origin;
 	uint64_t objects; /* added */
 };
@@ -165,13 +167,49 @@ write_palette(
 	return status;
 }
 
+/* The mesh of an instance's prototype, where it is the first to show it. */
+static enum tcs_status
+share_prototype(struct passage *passage, const struct mesh_instance *instance,
+	struct report *report, struct tcs_fault *fault)
+{
+	const struct tcs_object *prototype =
+		prototypes_get(&passage->prototypes, instance->prototype);
+	const char *name = object_text(prototype, prototype->features.at->id);
+	char room[32];
+	enum tcs_status status;
+
+	if (shared_is_there(passage->city, instance))
+		return TCS_OK;
+	status = convert_prototype(passage->converters + passage->settings.jobs,
+		&passage->settings.convert, prototype, instance->class,
+		&passage->shared, report, fault);
+	snprintf(room, sizeof room, "prototype#%u", instance->prototype);
+	return status ? status
+		      : shared_add(passage->city, instance, *name ? name : room,
+				&passage->shared, report, fault);
+}
+
+static enum tcs_status
+share_prototypes(
+	struct passage *passage, struct item *item, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; i < item->mesh.instances.count && !status; i++)
+		status = share_prototype(passage, item->mesh.instances.at + i,
+			&item->report, fault);
+	return status;
+}
+
 static enum tcs_status
 write_object(
 	struct passage *passage, struct item *item, struct tcs_fault *fault)
 {
-	enum tcs_status status = city_add_object(passage->city, &item->object,
-		&item->mesh, &item->report, fault);
+	enum tcs_status status = share_prototypes(passage, item, fault);
 
+	if (!status)
+		status = city_add_object(passage->city, &item->object,
+			&item->mesh, &item->report, fault);
 	if (!status)
 		status = report_add(&item->report, "objects", 1, fault);
 	if (!status)
@@ -215,7 +253,8 @@ run_crew(struct passage *passage, struct tcs_fault *fault)
 	struct item *items = calloc(plan.slot_count, sizeof *items);
 	enum tcs_status status;
 
-	passage->converters = calloc(jobs, sizeof *passage->converters);
+	passage->converters =
+		calloc((size_t)jobs + 1, sizeof *passage->converters);
 	plan.slots = items;
 	status = items && passage->converters ? crew_run(&plan, jobs, fault)
 					      : fault_memory(fault);
@@ -225,8 +264,9 @@ run_crew(struct passage *passage, struct tcs_fault *fault)
 		mesh_release(&items[i].mesh);
 		report_release(&items[i].report);
 	}
-	for (unsigned i = 0; passage->converters && i < jobs; i++)
+	for (unsigned i = 0; passage->converters && i <= jobs; i++)
 		converter_release(passage->converters + i);
+	mesh_release(&passage->shared);
 	free(items);
 	free(passage->converters);
 	return status;

@@ -75,6 +75,22 @@ parse_textures(void *target, const char *argument)
 }
 
 static const char *
+parse_instances(void *target, const char *argument)
+{
+	enum convert_instances *instances = target;
+
+	if (!strcmp(argument, "baked"))
+		*instances = INSTANCES_BAKED;
+	else if (!strcmp(argument, "nodes"))
+		*instances = INSTANCES_NODES;
+	else if (!strcmp(argument, "gpu"))
+		*instances = INSTANCES_GPU;
+	else
+		return "not one of baked, nodes, gpu";
+	return NULL;
+}
+
+static const char *
 parse_normals(void *target, const char *argument)
 {
 	enum mesh_normals *normals = target;
@@ -114,6 +130,8 @@ convert(const struct command *command, const struct options *options, FILE *in,
 		.image_limit = options->max_image,
 		.column_limit = options->max_columns,
 		.drop_textures = options->stream.convert.drop_textures,
+		.gpu_instances =
+			options->stream.convert.instances == INSTANCES_GPU,
 	};
 	struct city city;
 	enum tcs_status status = city_begin(&city, &settings, fault);
@@ -191,6 +209,11 @@ main(int argc, char **argv)
 			"Read texture images from DIR, the folder of the "
 			"source, and from nowhere else.",
 			&options.images, 0, 0, NULL},
+		{OPTION_PARSE, 0, "instances", "baked|nodes|gpu",
+			"Draw prototypes as part of each object, as nodes that "
+			"share a mesh, or by EXT_mesh_gpu_instancing (default: "
+			"baked).",
+			&settings->instances, 0, 0, parse_instances},
 		{OPTION_PARSE, 0, "normals", "flat|smooth|none",
 			"One normal per polygon, averaged within a surface, "
 			"or none (default: flat).",

@@ -50,7 +50,7 @@ function dress(model) {
     mesh.material.polygonOffset = true;
     mesh.material.polygonOffsetFactor = 1;
     mesh.material.polygonOffsetUnits = 1;
-    if (mesh.geometry.index.count < 30000) {
+    if (mesh.geometry.index.count < 30000 && !mesh.isInstancedMesh) {
       mesh.add(new THREE.LineSegments(
         new THREE.EdgesGeometry(mesh.geometry, 20), ink));
     }
@@ -63,8 +63,9 @@ async function town(model) {
   const meshes = [];
   model.traverse(node => node.isMesh && meshes.push(node));
   for (const mesh of meshes) {
-    const row = mesh.geometry.attributes._feature_id_0.getX(0);
-    if (await property(0, 'class', row) === 'Building') {
+    const row = mesh.geometry.attributes._feature_id_0?.getX(0);
+    if (row !== undefined &&
+        await property(0, 'class', row) === 'Building') {
       box.expandByObject(mesh);
     }
   }

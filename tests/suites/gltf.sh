@@ -50,6 +50,20 @@ a_textured_house_is_valid() {
 		house.gltf
 }
 
+# Prototypes in one place or many: the same triangles of the same features.
+instances_look_the_same_however_they_are_written() {
+	local how
+	json2tcs "$1" town.tcs
+	for how in baked nodes gpu; do
+		tcs2gltf -q --instances "$how" town.tcs "$how.glb"
+		tcs2gltf -q --instances "$how" -j 1 town.tcs again.glb
+		cmp "$how.glb" again.glb
+	done
+	node "$node/validate.mjs" baked.glb nodes.glb gpu.glb
+	node "$node/instances.mjs" baked.glb nodes.glb
+	node "$node/instances.mjs" baked.glb gpu.glb
+}
+
 # Beyond 65,535 features ids are floats; beyond as many vertices indices are
 # 32 bits wide.
 a_large_city_says_what_its_stream_says() {
@@ -113,6 +127,9 @@ a_browser_shows_the_town_and_its_walls() {
 run_test it_says_what_the_stream_says every
 run_test it_says_what_the_stream_says gltf
 run_test a_textured_house_is_valid
+run_test instances_look_the_same_however_they_are_written "$streams/gltf.json"
+run_test instances_look_the_same_however_they_are_written \
+	"$streams/forest.json"
 run_test every_choice_of_options_is_valid
 run_test a_large_city_says_what_its_stream_says
 run_test a_city_without_objects_is_valid

@@ -58,7 +58,8 @@ batches_join_into_one_array(void)
 
 	for (int i = 0; i < 200; i++) {
 		snprintf(name, sizeof name, "n[%d]{\"\\,", i);
-		CHECK(!assembly_add_node(assembly, name, NULL, &fault));
+		CHECK(!assembly_add_node(
+			assembly, name, NULL, NULL, 0, &fault));
 	}
 	text = finished(assembly, &root);
 	for (at = text; (at = strstr(at, "\"n[")); at++)
@@ -80,7 +81,7 @@ text_that_is_not_utf8_fails_without_throwing(void)
 	struct assembly_root root = plain_root();
 	uint64_t size;
 
-	CHECK(!assembly_add_node(assembly, "a\xff", NULL, &fault));
+	CHECK(!assembly_add_node(assembly, "a\xff", NULL, NULL, 0, &fault));
 	CHECK(assembly_finish(assembly, &root, &size, &fault) == TCS_BAD_INPUT);
 	CHECK(strstr(fault.text, "UTF-8"));
 	assembly_free(assembly);
