@@ -130,22 +130,23 @@ ifc_units_read(const struct ifc_file *file, struct ifc_units *out,
 		struct step_value type = ifc_value(file, unit, UNIT_TYPE);
 		double *place = factor_place(out, &type), factor;
 
-		if (place && !*place && ifc_unit_factor(file, unit, &factor))
+		if (place && *place == 0 &&
+			ifc_unit_factor(file, unit, &factor))
 			*place = factor;
 	}
-	if (!out->length) {
+	if (out->length == 0) {
 		out->length = 1;
 		status = assumed(report, "lengths taken as metres", fault);
 	}
-	if (!out->angle) {
+	if (out->angle == 0) {
 		out->angle = 1;
 		if (!status)
 			status = assumed(
 				report, "angles taken as radians", fault);
 	}
-	if (!out->area)
+	if (out->area == 0)
 		out->area = out->length * out->length;
-	if (!out->volume)
+	if (out->volume == 0)
 		out->volume = out->length * out->length * out->length;
 	return status;
 }

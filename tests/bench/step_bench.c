@@ -82,10 +82,10 @@ measure(const char *name, const struct step_bytes *bytes, struct figures *out)
 		cursors[0] = step_parameters(&file, i);
 		out->numbers += decode_list(cursors, &text);
 	}
-	if (!out->index || middle - begin < out->index)
+	if (out->index == 0 || middle - begin < out->index)
 		out->index = middle - begin;
 	middle = cpu_seconds() - middle;
-	if (!out->decode || middle < out->decode)
+	if (out->decode == 0 || middle < out->decode)
 		out->decode = middle;
 	step_release(&file);
 	array_release(&text);
