@@ -386,14 +386,17 @@ take_operand(struct parse *parse, const char *word)
 {
 	struct command *command = parse->command;
 	const struct program *program = command->program;
-	bool reads = program->flags & PROGRAM_READS;
+	bool reads_two = program->flags & PROGRAM_READS_TWO;
+	bool reads = program->flags & PROGRAM_READS || reads_two;
 	unsigned number = parse->operands++;
 
 	if (!*word)
 		usage(program, "an empty file name");
 	if (reads && number == 0) {
 		command->input = word;
-	} else if (number == (reads ? 1U : 0U)) {
+	} else if (reads_two && number == 1) {
+		command->other = word;
+	} else if (!reads_two && number == (reads ? 1U : 0U)) {
 		parse->output = word;
 	} else {
 		usage(program, "one file too many: %s", word);
@@ -460,7 +463,10 @@ check_terminals(const struct command *command)
 		usage(program,
 			"the output is binary and standard output is a "
 			"terminal; use -o FILE or a pipe");
-	if (program->flags & PROGRAM_BINARY_IN && !command->input &&
+	if (program->flags & PROGRAM_BINARY_IN &&
+		(!command->input ||
+			(program->flags & PROGRAM_READS_TWO &&
+				!command->other)) &&
 		isatty(STDIN_FILENO))
 		usage(program,
 			"the input is binary and standard input is a "
@@ -492,7 +498,12 @@ program_begin(const struct program *program, int argc, char **argv,
 			out->output, parse.output);
 	if (parse.output)
 		out->output = parse.output;
+	if (program->flags & PROGRAM_READS_TWO && parse.operands < 2)
+		usage(program, "two inputs are needed");
 	out->input = named_or_null(out->input);
+	out->other = named_or_null(out->other);
+	if (program->flags & PROGRAM_READS_TWO && !out->input && !out->other)
+		usage(program, "only one input can be standard input");
 	out->output = named_or_null(out->output);
 	check_terminals(out);
 	if (array_grow(&parse.arguments, 1))

@@ -58,6 +58,7 @@ enum program_input {
 	PROGRAM_READS = 1, /* takes an input operand; else standard input */
 	PROGRAM_BINARY_OUT = 2, /* refuses to write to a terminal */
 	PROGRAM_BINARY_IN = 4, /* refuses to read from a terminal */
+	PROGRAM_READS_TWO = 8, /* takes two inputs, and no output operand */
 };
 
 struct program {
@@ -72,6 +73,7 @@ struct program {
 struct command {
 	const struct program *program;
 	const char *input; /* NULL: standard input */
+	const char *other; /* the second input; NULL: standard input */
 	const char *output; /* NULL: standard output */
 	const char *stats; /* NULL: none wanted */
 	unsigned jobs; /* at least 1 */

@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "json_quote.h"
 #include "output.h"
 #include "plain.h"
 #include "program.h"
-#include "utf8.h"
 
 static bool
 same(const char *a, const char *b)
@@ -194,52 +194,18 @@ report_print(const struct report *report, const char *program, FILE *to)
 
 /* ---- JSON -------------------------------------------------------------- */
 
-/* One character, or one byte that begins none, which becomes U+FFFD. */
-static size_t
-json_character(const char *at, size_t length, FILE *to)
-{
-	size_t size = utf8_length(at, length);
-
-	if (!size) {
-		fputs("\\ufffd", to);
-		return 1;
-	}
-	if (size == 1 && (*at == '"' || *at == '\\'))
-		fprintf(to, "\\%c", *at);
-	else if (size == 1 && ((unsigned char)*at < 0x20 || *at == 0x7f))
-		fprintf(to, "\\u%04x", (unsigned)*at);
-	else
-		fwrite(at, 1, size, to);
-	return size;
-}
-
-static void
-json_string(const char *text, FILE *to)
-{
-	size_t length = strlen(text);
-
-	putc('"', to);
-	while (length) {
-		size_t size = json_character(text, length, to);
-
-		text += size;
-		length -= size;
-	}
-	putc('"', to);
-}
-
 static void
 json_reason(const struct report_reason *row, FILE *to)
 {
 	fputs("\n  {\"item\": ", to);
-	json_string(row->item, to);
+	json_quote(row->item, to);
 	fputs(", \"reason\": ", to);
-	json_string(row->reason, to);
+	json_quote(row->reason, to);
 	fprintf(to, ", \"count\": %" PRIu64 ", \"examples\": [", row->count);
 	for (int i = 0; i < REPORT_EXAMPLES && row->examples[i]; i++) {
 		if (i)
 			fputs(", ", to);
-		json_string(row->examples[i], to);
+		json_quote(row->examples[i], to);
 	}
 	fputs("]}", to);
 }
@@ -268,11 +234,11 @@ static void
 json_report(const struct report *report, const char *program, FILE *to)
 {
 	fputs("{\"program\": ", to);
-	json_string(program, to);
+	json_quote(program, to);
 	fputs(", \"version\": \"" TESSERA_VERSION "\",\n \"counts\": {", to);
 	for (size_t i = 0; i < report->counts.count; i++) {
 		fputs(i ? ",\n  " : "\n  ", to);
-		json_string(report->counts.at[i].name, to);
+		json_quote(report->counts.at[i].name, to);
 		fprintf(to, ": %" PRIu64, report->counts.at[i].count);
 	}
 	putc('}', to);
