@@ -49,7 +49,8 @@ libs := -lxml2 -lproj -lGLU -ljansson -ltinygltf -ldeflate -lz -lm
 
 # A program is the file with its main, what it needs of the other files of its
 # folder, and what it needs of lib/. Those whose main is there are built.
-all_programs := parsers/citygml2tcs parsers/json2tcs writers/tcs2json \
+all_programs := parsers/citygml2tcs parsers/json2tcs \
+	simplify/tcs-compare writers/tcs2json \
 	writers/tcs2gltf writers/tcs2citygml tessera
 programs := $(patsubst %.c,%,$(wildcard $(addsuffix .c,$(all_programs))))
 program_names := $(notdir $(programs))

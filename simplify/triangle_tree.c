@@ -103,34 +103,45 @@ push_children(struct walk *walk, uint32_t first, double left, double right)
 		first + (uint32_t)nearer, nearer ? right : left};
 }
 
-/* The nearest in a leaf; `square` is the hit's distance, squared. */
+/* A search for the nearest point. */
+struct nearest {
+	struct tcs_point from;
+	const struct tcs_point *facing; /* NULL: either side will do */
+	struct tree_hit hit;
+	double square; /* of its distance, or of the reach */
+};
+
 static void
 nearest_in_leaf(const struct triangle_tree *tree, const struct box_node *node,
-	struct tcs_point from, struct tree_hit *hit, double *square)
+	struct nearest *search)
 {
 	for (uint32_t i = node->first; i < node->first + node->count; i++) {
-		struct tcs_point at =
-			triangle_nearest(&tree->shapes.at[i], from);
-		struct tcs_point way = vector_difference(at, from);
-		double distance = vector_dot(way, way);
+		const struct triangle_shape *shape = &tree->shapes.at[i];
+		struct tcs_point at = triangle_nearest(shape, search->from);
+		struct tcs_point way = vector_difference(at, search->from);
+		double square = vector_dot(way, way);
 
-		if (distance > *square ||
-			(distance == *square && isfinite(hit->distance)))
+		if (square > search->square ||
+			(square == search->square &&
+				isfinite(search->hit.distance)))
 			continue;
-		*square = distance;
-		*hit = (struct tree_hit){
-			sqrt(distance), tree->boxes.items.at[i], at};
+		if (search->facing &&
+			!(vector_dot(triangle_normal(shape), *search->facing) >
+				0))
+			continue;
+		search->square = square;
+		search->hit = (struct tree_hit){
+			sqrt(square), tree->boxes.items.at[i], at};
 	}
 }
 
-struct tree_hit
-triangle_tree_nearest(const struct triangle_tree *tree, uint32_t root,
-	struct tcs_point from, double reach)
+static struct tree_hit
+find_nearest(
+	const struct triangle_tree *tree, uint32_t root, struct nearest *search)
 {
 	const struct box_node *nodes = tree->boxes.nodes.at;
-	struct tree_hit hit = {.distance = INFINITY};
+	struct tcs_point from = search->from;
 	struct walk walk = {.height = 1};
-	double square = reach * reach;
 
 	walk.stack[0] = (struct walk_step){
 		root, box_distance_squared(&nodes[root].box, from)};
@@ -138,10 +149,10 @@ triangle_tree_nearest(const struct triangle_tree *tree, uint32_t root,
 		struct walk_step step = walk.stack[--walk.height];
 		const struct box_node *node = &nodes[step.node];
 
-		if (step.distance > square)
+		if (step.distance > search->square)
 			continue;
 		if (node->count)
-			nearest_in_leaf(tree, node, from, &hit, &square);
+			nearest_in_leaf(tree, node, search);
 		else
 			push_children(&walk, node->first,
 				box_distance_squared(
@@ -149,7 +160,27 @@ triangle_tree_nearest(const struct triangle_tree *tree, uint32_t root,
 				box_distance_squared(
 					&nodes[node->first + 1].box, from));
 	}
-	return hit;
+	return search->hit;
+}
+
+struct tree_hit
+triangle_tree_nearest(const struct triangle_tree *tree, uint32_t root,
+	struct tcs_point from, double reach)
+{
+	struct nearest search = {
+		from, NULL, {.distance = INFINITY}, reach * reach};
+
+	return find_nearest(tree, root, &search);
+}
+
+struct tree_hit
+triangle_tree_nearest_facing(const struct triangle_tree *tree, uint32_t root,
+	struct tcs_point from, struct tcs_point facing, double reach)
+{
+	struct nearest search = {
+		from, &facing, {.distance = INFINITY}, reach * reach};
+
+	return find_nearest(tree, root, &search);
 }
 
 /* ---- rays ---------------------------------------------------------------- */

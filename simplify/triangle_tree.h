@@ -35,6 +35,11 @@ struct tree_hit {
 struct tree_hit triangle_tree_nearest(const struct triangle_tree *tree,
 	uint32_t root, struct tcs_point from, double reach);
 
+/* The same among the triangles that face the same side as `facing`. */
+struct tree_hit triangle_tree_nearest_facing(const struct triangle_tree *tree,
+	uint32_t root, struct tcs_point from, struct tcs_point facing,
+	double reach);
+
 /*
  * The first triangle that origin + t · direction meets, 0 < t < reach, from
  * either side; the distance is t.

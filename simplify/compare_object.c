@@ -1,0 +1,213 @@
+#include "compare_object.h"
+
+#include <math.h>
+
+#include "compare_distance.h"
+#include "compare_health.h"
+
+static double
+surface_area(const struct component_set *set)
+{
+	double area = 0;
+
+	for (size_t i = 0; i < set->components.count; i++)
+		area += set->components.at[i].area;
+	return area;
+}
+
+static double
+enclosed_volume(const struct component_set *set)
+{
+	double volume = 0;
+
+	for (size_t i = 0; i < set->components.count; i++)
+		volume += set->components.at[i].volume;
+	return volume;
+}
+
+static enum tcs_status
+describe_side(const struct compare_side *side, bool is_after, double *at,
+	struct tcs_fault *fault)
+{
+	const struct component_set *set = &side->set;
+	struct mesh_health health;
+	enum tcs_status status = mesh_health_measure(set, &health, fault);
+
+	/* Each name of before is followed by that of after. */
+	at += is_after;
+	at[COMPARE_TRIANGLES_BEFORE] = (double)set->triangles.count;
+	at[COMPARE_COMPONENTS_BEFORE] = (double)set->components.count;
+	at[COMPARE_AREA_BEFORE] = surface_area(set);
+	at[COMPARE_VOLUME_BEFORE] = enclosed_volume(set);
+	at[COMPARE_OPEN_BEFORE] = (double)health.open;
+	at[COMPARE_NON_MANIFOLD_BEFORE] = (double)health.non_manifold;
+	at[COMPARE_MISALIGNED_BEFORE] = (double)health.misaligned;
+	at[COMPARE_DEGENERATE_BEFORE] = (double)health.degenerate;
+	at[COMPARE_DUPLICATE_BEFORE] = (double)health.duplicate;
+	return status;
+}
+
+static enum tcs_status
+find_lost_surfaces(const struct comparer *comparer,
+	struct compare_result *result, struct tcs_fault *fault)
+{
+	const struct compare_side *before = &comparer->before;
+	const struct compare_side *after = &comparer->after;
+
+	for (uint32_t i = 0; i < before->roots.count; i++) {
+		uint32_t twin = before->twins.at[i];
+
+		if (before->roots.at[i] == NO_TREE)
+			continue;
+		result->metrics.at[COMPARE_SURFACES_BEFORE]++;
+		if (twin != TCS_NONE && after->roots.at[twin] != NO_TREE)
+			continue;
+		if (array_grow(&result->lost, 1))
+			return fault_memory(fault);
+		result->lost.at[result->lost.count++] = i;
+	}
+	result->metrics.at[COMPARE_SURFACES_LOST] = (double)result->lost.count;
+	return TCS_OK;
+}
+
+static void
+measure_distances(const struct comparer *comparer, double tolerance, double *at)
+{
+	struct surface_distance there = surface_distance_measure(
+		&comparer->before, &comparer->after, tolerance);
+	struct surface_distance back = surface_distance_measure(
+		&comparer->after, &comparer->before, tolerance);
+
+	at[COMPARE_THERE_MAX] = there.max;
+	at[COMPARE_THERE_AT_MOST] = there.at_most;
+	at[COMPARE_THERE_MEAN] = there.mean;
+	at[COMPARE_THERE_RMS] = there.rms;
+	at[COMPARE_THERE_SPACING] = there.spacing;
+	at[COMPARE_BACK_MAX] = back.max;
+	at[COMPARE_BACK_AT_MOST] = back.at_most;
+	at[COMPARE_BACK_MEAN] = back.mean;
+	at[COMPARE_BACK_RMS] = back.rms;
+	at[COMPARE_BACK_SPACING] = back.spacing;
+}
+
+/* The features of the first triangles stand for the components. */
+static enum tcs_status
+name_broken(const struct compare_side *before, struct compare_result *result,
+	struct tcs_fault *fault)
+{
+	const struct component_set *set = &before->set;
+
+	if (array_grow(&result->features, 2 * result->broken.count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < result->broken.count; i++) {
+		const struct broken_contact *broken = &result->broken.at[i];
+		uint32_t pair[2] = {broken->a, broken->b};
+
+		for (int k = 0; k < 2; k++) {
+			uint32_t first = set->components.at[pair[k]].first;
+
+			result->features.at[result->features.count++] =
+				set->features.at[set->order.at[first]];
+		}
+	}
+	return TCS_OK;
+}
+
+/* Metres from a point of the object, so that nothing is lost far from 0. */
+static enum tcs_status
+load_sides(struct comparer *comparer, const struct compare_settings *settings,
+	const struct tcs_object *before, const struct tcs_object *after,
+	struct tcs_fault *fault)
+{
+	const struct tcs_object *one =
+		before && before->vertices.count ? before : after;
+	struct tcs_point origin = {0, 0, 0};
+	struct frame frames[2];
+	enum tcs_status status;
+
+	if (one && one->vertices.count)
+		origin = one->vertices.at[0];
+	for (int i = 0; i < 2; i++)
+		frame_init(&frames[i], &settings->crs[i], &origin);
+	status = side_load(&comparer->before, before, settings->lods[0],
+		&frames[0], fault);
+	if (!status)
+		status = side_load(&comparer->after, after, settings->lods[1],
+			&frames[1], fault);
+	if (!status)
+		status = side_match_features(&comparer->before, before,
+			&comparer->after, after, fault);
+	return status;
+}
+
+static enum tcs_status
+compare_sides(struct comparer *comparer, double eps,
+	struct compare_result *result, struct tcs_fault *fault)
+{
+	struct compare_side *before = &comparer->before;
+	double *at = result->metrics.at;
+	enum tcs_status status = describe_side(before, false, at, fault);
+
+	if (!status)
+		status = describe_side(&comparer->after, true, at, fault);
+	if (!status)
+		status = contacts_find(
+			&before->set, eps, &before->contacts, fault);
+	if (!status)
+		status = match_components(
+			&comparer->match, before, &comparer->after, eps, fault);
+	if (!status)
+		status = compare_contacts(before, &comparer->after,
+			&comparer->match, eps, &result->metrics,
+			&result->broken, fault);
+	if (!status)
+		status = name_broken(before, result, fault);
+	if (!status)
+		status = find_lost_surfaces(comparer, result, fault);
+	if (status)
+		return status;
+	at[COMPARE_FLIPPED] = (double)count_flipped(
+		before, &comparer->after, &comparer->match, eps);
+	measure_distances(comparer, fmin(eps / 10, 0.001), at);
+	return TCS_OK;
+}
+
+enum tcs_status
+compare_objects(struct comparer *comparer,
+	const struct compare_settings *settings,
+	const struct tcs_object *before, const struct tcs_object *after,
+	struct compare_result *result, struct tcs_fault *fault)
+{
+	enum tcs_status status;
+	double eps;
+
+	result->metrics = (struct compare_metrics){0};
+	result->broken.count = 0;
+	result->features.count = 0;
+	result->lost.count = 0;
+	status = load_sides(comparer, settings, before, after, fault);
+	if (status)
+		return status;
+	eps = settings->eps > 0 ? settings->eps
+				: contact_reach(&comparer->before.set);
+	result->metrics.at[COMPARE_DIAGONAL] =
+		box_diagonal(&comparer->before.set.bounds);
+	result->metrics.at[COMPARE_EPS] = eps;
+	return compare_sides(comparer, eps, result, fault);
+}
+
+void
+comparer_release(struct comparer *comparer)
+{
+	side_release(&comparer->before);
+	side_release(&comparer->after);
+	match_release(&comparer->match);
+}
+
+void
+compare_result_release(struct compare_result *result)
+{
+	array_release(&result->broken);
+	array_release(&result->features);
+	array_release(&result->lost);
+}

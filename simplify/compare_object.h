@@ -1,0 +1,41 @@
+/*
+ * The comparison of one object with another, at one level of detail each.
+ */
+#ifndef TESSERA_COMPARE_OBJECT_H
+#define TESSERA_COMPARE_OBJECT_H
+
+#include "compare_contacts.h"
+
+struct compare_settings {
+	struct tcs_crs crs[2];
+	int lods[2]; /* see lod_select.h */
+	double eps; /* metres; 0: contact_reach */
+};
+
+/* Scratch memory of one thread; all zero is empty. */
+struct comparer {
+	struct compare_side before, after;
+	struct compare_match match;
+};
+
+/* What was found; all zero is empty, reused. */
+struct compare_result {
+	struct compare_metrics metrics;
+	struct broken_list broken;
+	TCS_ARRAY(uint32_t) features; /* two per broken contact: of before */
+	TCS_ARRAY(uint32_t) lost; /* surfaces of before that vanished */
+};
+
+/*
+ * Compare; NULL is an object that is not there. Both are not NULL at once.
+ * Fails with TCS_NO_MEMORY, TCS_LIMIT.
+ */
+enum tcs_status compare_objects(struct comparer *comparer,
+	const struct compare_settings *settings,
+	const struct tcs_object *before, const struct tcs_object *after,
+	struct compare_result *result, struct tcs_fault *fault) TCS_CHECKED;
+
+void comparer_release(struct comparer *comparer);
+void compare_result_release(struct compare_result *result);
+
+#endif

@@ -1,0 +1,271 @@
+/* tcs-compare: how one stream differs from another, or one LOD from another. */
+#include <stdlib.h>
+
+#include "compare_pairs.h"
+#include "compare_print.h"
+#include "crew.h"
+#include "output.h"
+#include "program.h"
+#include "progress.h"
+#include "report.h"
+
+struct options {
+	struct compare_settings settings;
+	uint64_t max_record;
+	bool json;
+};
+
+/* A pair of objects on its way to the report. */
+struct item {
+	struct pair_object *pair[2];
+	struct compare_result result;
+};
+
+struct run {
+	const struct options *options;
+	struct compare_settings settings;
+	struct pair_reader pairs;
+	struct output out;
+	struct comparer *comparers; /* one per job */
+	struct item *items;
+	size_t item_count;
+	struct compare_totals totals;
+	struct progress progress;
+};
+
+static void
+clear_item(struct item *item)
+{
+	for (int i = 0; i < 2; i++) {
+		pair_object_free(item->pair[i]);
+		item->pair[i] = NULL;
+	}
+}
+
+static enum tcs_status
+read_item(void *context, void *slot, bool *done, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	struct item *item = slot;
+	enum tcs_status status = pairs_next(&run->pairs, item->pair, fault);
+
+	*done = !item->pair[0] && !item->pair[1];
+	return status;
+}
+
+static enum tcs_status
+compare_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	struct item *item = slot;
+
+	return compare_objects(&run->comparers[worker], &run->settings,
+		item->pair[0] ? &item->pair[0]->object : NULL,
+		item->pair[1] ? &item->pair[1]->object : NULL, &item->result,
+		fault);
+}
+
+static enum tcs_status
+write_item(void *context, void *slot, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	struct item *item = slot;
+	struct compare_totals *totals = &run->totals;
+	bool first = !totals->pairs && !totals->lost && !totals->added;
+
+	compare_print_object(&item->result,
+		item->pair[0] ? &item->pair[0]->object : NULL,
+		item->pair[1] ? &item->pair[1]->object : NULL,
+		run->options->json, first, run->out.file);
+	totals->pairs += item->pair[0] && item->pair[1];
+	totals->lost += !item->pair[1];
+	totals->added += !item->pair[0];
+	metrics_add(&totals->metrics, &item->result.metrics);
+	clear_item(item);
+	progress_show(&run->progress,
+		totals->pairs + totals->lost + totals->added, 0, 0);
+	if (ferror(run->out.file))
+		return fault_system(fault, "cannot write",
+			run->out.name ? run->out.name : "standard output");
+	return TCS_OK;
+}
+
+/* Metres of the one must be metres of the other. */
+static enum tcs_status
+take_systems(struct run *run, struct tcs_fault *fault)
+{
+	for (int i = 0; i < 2; i++)
+		run->settings.crs[i] = run->pairs.streams[i].head.crs.at[0];
+	if (run->settings.crs[0].kind != run->settings.crs[1].kind ||
+		run->settings.crs[0].epsg != run->settings.crs[1].epsg)
+		return fault_set(fault, TCS_BAD_INPUT, TCS_NOWHERE,
+			"the two streams have different reference systems");
+	return TCS_OK;
+}
+
+static enum tcs_status
+open_run(struct run *run, const struct command *command,
+	const struct options *options, struct tcs_fault *fault)
+{
+	const char *const names[2] = {command->input, command->other};
+	enum tcs_status status;
+
+	run->options = options;
+	run->settings = options->settings;
+	run->item_count = crew_slots(command->jobs);
+	run->items = calloc(run->item_count, sizeof *run->items);
+	run->comparers = calloc(command->jobs, sizeof *run->comparers);
+	if (!run->items || !run->comparers)
+		return fault_memory(fault);
+	status = pairs_open(&run->pairs, names, options->max_record, fault);
+	if (!status)
+		status = take_systems(run, fault);
+	if (!status)
+		status = output_open(&run->out, command->output, fault);
+	return status;
+}
+
+static enum tcs_status
+compare(struct run *run, const struct command *command,
+	const struct options *options, struct tcs_fault *fault)
+{
+	enum tcs_status status = open_run(run, command, options, fault);
+	struct crew_plan plan = {
+		.context = run,
+		.slots = run->items,
+		.slot_size = sizeof *run->items,
+		.slot_count = run->item_count,
+		.read = read_item,
+		.work = compare_item,
+		.write = write_item,
+	};
+
+	if (status)
+		return status;
+	progress_begin(&run->progress, command->program->name, "objects",
+		command->quiet);
+	compare_print_begin(options->json, run->out.file);
+	status = crew_run(&plan, command->jobs, fault);
+	progress_end(&run->progress);
+	for (int i = 0; i < 2; i++)
+		run->totals.instances[i] = run->pairs.streams[i].instances;
+	if (!status) {
+		compare_print_end(&run->totals, options->json, run->out.file);
+		status = output_commit(&run->out, fault);
+	} else {
+		output_discard(&run->out);
+	}
+	return status;
+}
+
+static void
+close_run(struct run *run, const struct command *command)
+{
+	for (size_t i = 0; run->items && i < run->item_count; i++) {
+		clear_item(&run->items[i]);
+		compare_result_release(&run->items[i].result);
+	}
+	for (size_t i = 0; run->comparers && i < command->jobs; i++)
+		comparer_release(&run->comparers[i]);
+	free(run->items);
+	free(run->comparers);
+	pairs_close(&run->pairs);
+}
+
+static enum tcs_status
+report_totals(const struct command *command,
+	const struct compare_totals *totals, struct tcs_fault *fault)
+{
+	struct report report = {0};
+	enum tcs_status status =
+		report_add(&report, "objects", totals->pairs, fault);
+
+	if (!status)
+		status = report_add(
+			&report, "objects lost", totals->lost, fault);
+	if (!status)
+		status = report_add(
+			&report, "objects added", totals->added, fault);
+	if (!status)
+		status = report_add(&report, "instances left out",
+			totals->instances[0] + totals->instances[1], fault);
+	if (!status && command->stats)
+		status = report_write(
+			&report, command->program->name, command->stats, fault);
+	report_release(&report);
+	return status;
+}
+
+static const char *
+parse_lod(void *target, const char *argument)
+{
+	int *lod = target;
+
+	if (argument[0] < '0' || argument[0] > '4' || argument[1])
+		return "not one of 0, 1, 2, 3, 4";
+	*lod = argument[0] - '0';
+	return NULL;
+}
+
+static int
+run_command(const struct command *command, const struct options *options)
+{
+	struct tcs_fault fault;
+	struct run run = {0};
+	int code = EXIT_DONE;
+	uint64_t left_out;
+
+	if (compare(&run, command, options, &fault) ||
+		report_totals(command, &run.totals, &fault))
+		code = program_fail(command, &fault);
+	left_out = run.totals.instances[0] + run.totals.instances[1];
+	if (!code && left_out)
+		program_warn(command,
+			"%llu placed prototypes were left out of the "
+			"comparison",
+			(unsigned long long)left_out);
+	close_run(&run, command);
+	return code;
+}
+
+int
+main(int argc, char **argv)
+{
+	struct options options = {
+		.settings = {.lods = {SELECT_HIGHEST, SELECT_HIGHEST}},
+		.max_record = TCS_MAX_RECORD,
+	};
+	const struct option_row rows[] = {
+		{OPTION_FLAG, 0, "json", NULL,
+			"Report as one JSON object instead of text.",
+			&options.json, 0, 0, NULL},
+		{OPTION_NUMBER, 0, "eps", "METRES",
+			"What still touches (default: 0.01, or a thousandth "
+			"of the object's diagonal where that is more).",
+			&options.settings.eps, 1e-6, 1000, NULL},
+		{OPTION_PARSE, 0, "lod-a", "N",
+			"Level of detail of A (default: the highest of each "
+			"feature).",
+			&options.settings.lods[0], 0, 0, parse_lod},
+		{OPTION_PARSE, 0, "lod-b", "N", "Level of detail of B.",
+			&options.settings.lods[1], 0, 0, parse_lod},
+		{OPTION_BYTES, 0, "max-record", "BYTES",
+			"Refuse records of more bytes (default: 8G).",
+			&options.max_record, 0, 0, NULL},
+		{0},
+	};
+	const struct program program = {
+		.name = "tcs-compare",
+		.synopsis = "[options] A B",
+		.summary = "Report how stream B differs from stream A.",
+		.options = rows,
+		.flags = PROGRAM_READS_TWO | PROGRAM_BINARY_IN,
+	};
+	struct command command;
+	int code;
+
+	program_begin(&program, argc, argv, &command);
+	code = run_command(&command, &options);
+	program_end(&command);
+	return code;
+}
