@@ -51,6 +51,11 @@ take_texture(struct conversion *to, const struct tcs_object *object,
 	const struct tcs_texcoord *texcoords =
 		object->texcoords.at + paint->first_texcoord;
 
+	if (chosen->image != TCS_NONE)
+		return report_item(to->report, REPORT_SKIPPED, "texture",
+			"another one is there already",
+			object_text(object, polygon->id), TCS_NOWHERE,
+			to->fault);
 	if (!texcoords_fit(texcoords, polygon->vertex_count))
 		return report_item(to->report, REPORT_SKIPPED, "texture",
 			"coordinates beyond 32-bit floats",
@@ -86,8 +91,7 @@ find_paints(struct conversion *to, const struct tcs_object *object)
 			continue;
 		if (chosen->paint == TCS_NONE)
 			chosen->paint = paint->material;
-		if (paint->image != TCS_NONE && chosen->image == TCS_NONE &&
-			!to->settings->drop_textures)
+		if (paint->image != TCS_NONE && !to->settings->drop_textures)
 			status = take_texture(to, object, paint);
 	}
 	return status;
