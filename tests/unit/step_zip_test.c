@@ -84,7 +84,7 @@ archive_make(struct archive *archive, const char *name, bool deflated)
 	put_bytes(archive, "PK\1\2", 4);
 	put(archive, 20, 2);
 	put_facts(archive, name, size, deflated);
-	put(archive, 0, 14);
+	put_bytes(archive, (char[14]){0}, 14);
 	put_bytes(archive, name, strlen(name));
 	size = archive->count - archive->directory;
 	put_bytes(archive, "PK\5\6", 4);
