@@ -58,7 +58,10 @@ walk_png(const struct image_bytes *from, struct image_kind *kind)
 		if (image_read(from, at, chunk, 8) < 8)
 			return damaged;
 		if (!memcmp(chunk + 4, "IEND", 4))
-			return at + 12 <= from->size ? NULL : damaged;
+			return at + 12 + (uint64_t)big_endian(chunk, 4) <=
+					from->size
+				? NULL
+				: damaged;
 		if (!memcmp(chunk + 4, "tRNS", 4))
 			kind->has_alpha = true;
 		at += 12 + (uint64_t)big_endian(chunk, 4);
@@ -73,6 +76,7 @@ examine_png(const struct image_bytes *from, struct image_kind *kind)
 
 	kind->format = IMAGE_PNG;
 	if (image_read(from, 0, head, sizeof head) < sizeof head ||
+		big_endian(head + 8, 4) != 13 ||
 		memcmp(head + 12, "IHDR", 4) != 0 ||
 		!big_endian(head + 16, 4) || !big_endian(head + 20, 4))
 		return damaged;

@@ -48,6 +48,20 @@ no_prefix_of_a_png_is_an_image(void)
 }
 
 static void
+chunks_of_a_wrong_length_are_damage(void)
+{
+	unsigned char other[sizeof png];
+	struct image_kind kind;
+
+	memcpy(other, png, sizeof png);
+	other[84] = 1;
+	CHECK(examine(other, sizeof other, &kind));
+	memcpy(other, png, sizeof png);
+	other[11]++;
+	CHECK(examine(other, sizeof other, &kind));
+}
+
+static void
 what_a_png_says_of_its_pixels_size_stays_behind(void)
 {
 	const struct image_bytes from = {png, -1, sizeof png};
@@ -115,6 +129,7 @@ main(void)
 	static const struct check_test tests[] = {
 		CHECK_TEST(a_png_is_known_with_its_transparency),
 		CHECK_TEST(no_prefix_of_a_png_is_an_image),
+		CHECK_TEST(chunks_of_a_wrong_length_are_damage),
 		CHECK_TEST(what_a_png_says_of_its_pixels_size_stays_behind),
 		CHECK_TEST(a_jpeg_is_known_by_its_frame),
 		CHECK_TEST(a_webp_is_known_with_its_transparency),
