@@ -121,6 +121,7 @@ $(build)/flags: FORCE
 built_from = $(patsubst %.c,$(build)/%,$(wildcard $(1)))
 unit_tests := $(call built_from,tests/unit/*_test.c)
 benches := $(call built_from,tests/bench/*_bench.c) \
+	$(call built_from,tests/bench/*_bare.c) \
 	$(patsubst %.cpp,$(build)/%,$(wildcard tests/bench/*.cpp))
 generators := $(call built_from,samples/make*.c)
 generator_parts := $(addprefix $(build)/,$(patsubst %.c,%.o,$(filter-out \
