@@ -373,16 +373,17 @@ xml_parse(
 {
 	while (!parser->status && (length || last)) {
 		int part = length > INT_MAX / 2 ? INT_MAX / 2 : (int)length;
+		bool end = last && (size_t)part == length;
 
-		xmlParseChunk(parser->context, bytes, part, last);
-		bytes += part;
-		length -= (size_t)part;
+		xmlParseChunk(parser->context, bytes, part, end);
 		if (!parser->status && !parser->context->wellFormed)
 			parser->status = xml_malformed(parser);
 		if (!parser->status)
 			parser->status = xml_check_names(parser);
-		if (last)
+		if (end)
 			break;
+		bytes += part;
+		length -= (size_t)part;
 	}
 	parser->held.count = 0;
 	if (!parser->status && !last)
@@ -397,7 +398,8 @@ xml_push(struct xml_parser *parser, const char *bytes, size_t length, bool last)
 	size_t pending = xml_pending(parser);
 	size_t held = parser->held.count + length;
 
-	scan_bytes(&parser->scan, bytes, length);
+	if (length)
+		scan_bytes(&parser->scan, bytes, length);
 	parser->status = xml_check_tag(
 		parser, pending > length ? pending + held : pending);
 	if (parser->status || (!parser->held.count && length >= pending))
