@@ -134,7 +134,11 @@ link_test = $(call show,LD)$(CXX) $(all_ldflags) -o $@ $(filter %.o %.a,$^) $(li
 $(unit_tests) $(benches): $(build)/%: $(build)/%.o $(archives) $(build)/flags
 	$(link_test)
 
-$(generators): $(build)/%: $(build)/%.o $(generator_parts) $(build)/lib.a \
+# Each generator takes of the parts what it needs.
+$(build)/samples.a: $(generator_parts)
+	$(call show,AR)rm -f $@ && $(AR) rcs $@ $^
+
+$(generators): $(build)/%: $(build)/%.o $(build)/samples.a $(build)/lib.a \
 		$(build)/flags
 	$(link_test)
 

@@ -82,6 +82,21 @@ towns_grow_to_size() {
 	[[ $("$maketown" --seed 1 | cksum) != $("$maketown" --seed 2 | cksum) ]]
 }
 
+# 25 to 280 parts and 2,500 to 6,000 triangles each, the same for one seed.
+blocks_have_many_parts() {
+	local makeblock=$BUILD/samples/makeblock
+	"$makeblock" --buildings 40 --seed "$1" >block.gml
+	"$makeblock" --buildings 40 --seed "$1" | cmp - block.gml
+	[[ ! -e $schemas ]] || validates 2.0 block.gml
+	"$BUILD/bin/citygml2tcs" --strict -q block.gml | "$BUILD/bin/tcs2json" |
+		jq 'select(.record == "object") |
+			(.features | length - 1) as $parts |
+			([.geometries[].polygons[].triangles | length] | add) as $n |
+			$parts >= 25 and $parts <= 280 and $n >= 2500 and $n <= 6000' \
+			>counts
+	is "$(sort counts | uniq -c | tr -s ' ')" ' 40 true'
+}
+
 for version in 1.0 2.0 3.0; do
 	run_test sample_is_what_maketown_writes $version
 	run_test solids_are_closed $version
@@ -96,4 +111,5 @@ done
 run_test open_solids_are_noticed
 run_test turned_solids_are_noticed
 run_test towns_grow_to_size
+run_test blocks_have_many_parts 0
 finish
