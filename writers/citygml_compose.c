@@ -251,11 +251,7 @@ write_relation(struct composer *composer, const struct item *item)
 static void
 write_group_member(struct composer *composer, const struct item *item)
 {
-	struct markup *markup = &composer->out->markup;
-
-	markup_start(markup, "grp", "groupMember");
-	markup_link(markup, "xlink:href", composer->nodes.at[item->index].id);
-	markup_end(markup, "grp", "groupMember");
+	link_write(composer, item, composer->nodes.at[item->index].id, "");
 }
 
 /* A level of detail of the object, or "lane". */
