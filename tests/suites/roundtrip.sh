@@ -126,6 +126,45 @@ broken_streams_write_nothing() {
 	status_is 1 tcs2citygml -q -o /dev/full town.tcs
 }
 
+# corpus_file PATH VERSION FOLDER: one line of the table, and why when it is not
+# well. A shell of its own for each way: -e means nothing before ||.
+# shellcheck disable=SC2016
+corpus_file() {
+	local other=3.0 verdict=equal
+	[[ $2 != 3.0 ]] || other=2.0
+	mkdir -p "$3" && cd "$3" || exit 1
+	bash -euc 'comes_back "$@"' - "$2" "$data/citygml/$1" >log 2>&1 ||
+		verdict=DIFFERENT
+	bash -euc 'goes_there "$@"' - "$2" "$other" "$data/citygml/$1" \
+		>>log 2>&1 || verdict+=,NOT-CONVERTED
+	printf '%s\t%s\t%s\n' "$2" "$verdict" "$1"
+	[[ $verdict == equal ]] || grep -v ' validates$' log | head -n 4
+	cd .. && rm -rf "$3"
+}
+
+# Every valid file of the corpus, in its version and through another one. Those
+# in roundtrip-differences.tsv differ for the reason it gives.
+# shellcheck disable=SC2016
+corpus_comes_back() {
+	export -f corpus_file comes_back goes_there validates same_stream
+	export data schemas all ROOT
+	awk -F'\t' '$23 ~ /^valid\([123]\.0\)/ {
+		version = substr($23, 7, 3)
+		printf "%s%c%s%cf%d%c", $1, 0, version, 0, NR, 0
+	}' "$data/citygml/MANIFEST.tsv" |
+		xargs -0 -n 3 -P "$(nproc)" \
+			bash -c 'corpus_file "$@"' - >table
+	awk -F'\t' 'NF == 3 { seen[$1 " " $2]++ }
+		END { for (i in seen) print seen[i], i }' table |
+		sort -k2 >"$tests_folder/counts"
+	cut -f1 "$ROOT/tests/roundtrip-differences.tsv" | grep -v '^#' >known
+	! grep -A4 -P '^\d\.\d\t(?!equal\t)' table | grep -v -F -f known |
+		grep -P '^\d\.\d\t(?!equal\t)' || {
+		cat table
+		return 1
+	}
+}
+
 for version in 1.0 2.0 3.0; do
 	run_test town_comes_back $version
 done
@@ -141,4 +180,10 @@ run_test differences_are_noticed
 run_test ids_stay_unique
 run_test outlines_come_from_triangles
 run_test broken_streams_write_nothing
+if [[ -e $data/citygml/MANIFEST.tsv && -e $schemas ]]; then
+	run_test corpus_comes_back
+	cat "$tests_folder/counts"
+else
+	skip corpus_comes_back "no ../shared/data"
+fi
 finish
