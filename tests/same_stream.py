@@ -7,13 +7,12 @@ first after a way through CityGML.
 Prints the first differences and exits 1, or prints nothing and exits 0. What
 may differ, because CityGML has no place for it or says it another way:
 
-- stages, sources, bounds and origin of the head;
-- ids where BEFORE has none: GML 3.2 wants one on every element;
+- the head, but for the name, code and kind of its coordinate system;
+- ids where BEFORE has none: links and GML 3.2 want them;
 - ids of materials and textures, and how often an equal one is listed: local
   appearances repeat them, so paints are compared by what they paint with;
-- ids that are not legal in XML, and the attribute that keeps them;
 - attributes of extensions, which come back as generic ones;
-- the order of attributes: the schema fixes it.
+- the order of attributes, which the schema fixes, and of paints.
 """
 import json
 import sys
