@@ -37,13 +37,14 @@ print_broken_json(const struct compare_result *result,
 	fputs(",\"broken\":[", to);
 	for (size_t i = 0; i < result->broken.count; i++) {
 		const struct broken_contact *broken = &result->broken.at[i];
-		const uint32_t *pair = &result->features.at[2 * i];
+		uint32_t a = result->features.at[2 * i];
+		uint32_t b = result->features.at[2 * i + 1];
 
 		fprintf(to, "%s\n   {\"state\":\"%s\",\"a\":", i ? "," : "",
 			states[broken->state]);
-		json_quote(feature_id(before, pair[0]), to);
+		json_quote(feature_id(before, a), to);
 		fputs(",\"b\":", to);
-		json_quote(feature_id(before, pair[1]), to);
+		json_quote(feature_id(before, b), to);
 		if (broken->state == CONTACT_SEPARATED)
 			fprintf(to, ",\"gap\":%.6f", broken->gap);
 		putc('}', to);

@@ -191,21 +191,18 @@ open_name(
 
 	turn_slashes(name);
 	reason = refuse_name(name);
-	return reason ? reason
-		      : walk(folder->file - 1, name, folder->limit, out);
+	return reason ? reason : walk(folder->file, name, folder->limit, out);
 }
 
 static enum tcs_status
 open_folder(struct image_folder *folder, struct tcs_fault *fault)
 {
-	int file;
-
-	if (folder->file)
+	if (folder->is_open)
 		return TCS_OK;
-	file = open(folder->name, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-	if (file < 0)
+	folder->file = open(folder->name, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+	if (folder->file < 0)
 		return fault_system(fault, "cannot read", folder->name);
-	folder->file = file + 1;
+	folder->is_open = true;
 	return TCS_OK;
 }
 
@@ -230,7 +227,7 @@ image_folder_open(struct image_folder *folder, const char *uri,
 void
 image_folder_close(struct image_folder *folder)
 {
-	if (folder->file)
-		close(folder->file - 1);
-	folder->file = 0;
+	if (folder->is_open)
+		close(folder->file);
+	folder->is_open = false;
 }

@@ -9,6 +9,7 @@
 #ifndef TESSERA_GLTF_IMAGE_FOLDER_H
 #define TESSERA_GLTF_IMAGE_FOLDER_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "fault.h"
@@ -17,7 +18,8 @@
 struct image_folder {
 	const char *name; /* NULL: there is none; borrowed */
 	uint64_t limit; /* bytes of one image */
-	int file; /* the open folder + 1; 0: not yet open */
+	int file; /* the folder, while is_open */
+	bool is_open;
 };
 
 /*
