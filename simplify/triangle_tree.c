@@ -373,8 +373,9 @@ triangle_tree_gap(const struct triangle_tree *tree, uint32_t a, uint32_t b,
 	double reach, double enough)
 {
 	const struct box_node *nodes = tree->boxes.nodes.at;
-	struct gap_walk walk = {
-		.height = 1, .square = reach * reach, .gap = {INFINITY}};
+	struct gap_walk walk = {.height = 1,
+		.square = reach * reach,
+		.gap = {.distance = INFINITY}};
 
 	walk.stack[0] = gap_step_of(tree, a, b);
 	while (walk.height > 0 && walk.gap.distance > enough) {
