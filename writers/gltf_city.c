@@ -16,8 +16,8 @@ city_begin(struct city *city, const struct city_settings *settings,
 	enum tcs_status status = TCS_OK;
 
 	*city = (struct city){
-		.textures.folder = {.name = settings->image_folder,
-			.limit = settings->image_limit},
+		.textures.folder = {.name = settings->image_folder},
+		.textures.limit = settings->image_limit,
 		.drop_textures = settings->drop_textures,
 		.shared.on_gpu = settings->gpu_instances,
 	};

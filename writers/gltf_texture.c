@@ -94,16 +94,20 @@ load_image(struct textures *textures, const char *uri, struct spool *spool,
 	uint32_t *number, const char **reason, struct report *report,
 	struct tcs_fault *fault)
 {
+	const struct folder_limit limit = {
+		textures->limit, "larger than --max-image"};
+	struct folder_file file;
 	struct image_bytes from;
 	enum tcs_status status;
 
 	*reason = unread;
 	if (!textures->folder.name)
 		return TCS_OK;
-	status =
-		image_folder_open(&textures->folder, uri, &from, reason, fault);
+	status = folder_open_file(
+		&textures->folder, uri, &limit, &file, reason, fault);
 	if (status || *reason)
 		return status;
+	from = (struct image_bytes){NULL, file.file, file.size};
 	status = add_image(
 		textures, &from, uri, spool, number, reason, report, fault);
 	close(from.file);
@@ -222,5 +226,5 @@ textures_release(struct textures *textures)
 	array_release(&textures->of_source);
 	byte_index_release(&textures->by_source);
 	byte_index_release(&textures->by_texture);
-	image_folder_close(&textures->folder);
+	folder_close(&textures->folder);
 }

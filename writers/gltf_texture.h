@@ -14,10 +14,10 @@
 #include "array.h"
 #include "byte_index.h"
 #include "fault.h"
-#include "gltf_image_folder.h"
-#include "gltf_image_kind.h"
+#include "folder.h"
 #include "gltf_material.h"
 #include "gltf_spool.h"
+#include "image_kind.h"
 #include "report.h"
 #include "tcs.h"
 
@@ -34,9 +34,10 @@ struct texture {
 	enum texture_wrap wrap;
 };
 
-/* All zero, but for the folder, is empty. */
+/* All zero, but for the folder and the limit, is empty. */
 struct textures {
-	struct image_folder folder;
+	struct folder folder;
+	uint64_t limit; /* bytes of one image of the folder */
 	TCS_ARRAY(struct texture_image) images;
 	TCS_ARRAY(struct texture) list;
 	struct byte_index by_source; /* URIs met … */

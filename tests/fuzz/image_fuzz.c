@@ -1,5 +1,5 @@
 /* The bytes as an image: what is taken of one lies in it, in order. */
-#include "writers/gltf_image_kind.h"
+#include "lib/image_kind.h"
 
 #include <stdlib.h>
 
@@ -12,7 +12,10 @@ LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 	const struct image_bytes from = {size ? bytes : &none, -1, size};
 	uint64_t at = 0, part, length, end = 0;
 	struct image_kind kind;
+	uint32_t width, height;
 
+	if (image_pixels(&from, &width, &height) && !(width && height))
+		abort();
 	if (image_examine(&from, &kind))
 		return 0;
 	while ((length = image_part(&from, kind.format, &at, &part)) > 0) {

@@ -1,4 +1,4 @@
-#include "gltf_image_folder.h"
+#include "folder.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -126,7 +126,8 @@ step_down(int in, const char *name, const char **reason)
 
 /* Before a file is opened it is known to be regular: opening others acts. */
 static const char *
-open_regular(int in, const char *name, uint64_t limit, struct image_bytes *out)
+open_regular(int in, const char *name, const struct folder_limit *limit,
+	struct folder_file *out)
 {
 	const int flags =
 		O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
@@ -146,8 +147,8 @@ open_regular(int in, const char *name, uint64_t limit, struct image_bytes *out)
 		reason = reason_of(errno);
 	else if (!S_ISREG(about.st_mode))
 		reason = "not a regular file";
-	else if ((uint64_t)about.st_size > limit)
-		reason = "larger than --max-image";
+	else if ((uint64_t)about.st_size > limit->bytes)
+		reason = limit->reason;
 	if (reason)
 		close(out->file);
 	out->size = (uint64_t)about.st_size;
@@ -156,7 +157,8 @@ open_regular(int in, const char *name, uint64_t limit, struct image_bytes *out)
 
 /* `name` is taken apart. */
 static const char *
-walk(int folder, char *name, uint64_t limit, struct image_bytes *out)
+walk(int folder, char *name, const struct folder_limit *limit,
+	struct folder_file *out)
 {
 	const char *reason = NULL;
 	int in = folder;
@@ -184,18 +186,18 @@ walk(int folder, char *name, uint64_t limit, struct image_bytes *out)
 
 /* `name` is changed. */
 static const char *
-open_name(
-	const struct image_folder *folder, char *name, struct image_bytes *out)
+open_name(const struct folder *folder, char *name,
+	const struct folder_limit *limit, struct folder_file *out)
 {
 	const char *reason;
 
 	turn_slashes(name);
 	reason = refuse_name(name);
-	return reason ? reason : walk(folder->file, name, folder->limit, out);
+	return reason ? reason : walk(folder->file, name, limit, out);
 }
 
 static enum tcs_status
-open_folder(struct image_folder *folder, struct tcs_fault *fault)
+open_folder(struct folder *folder, struct tcs_fault *fault)
 {
 	if (folder->is_open)
 		return TCS_OK;
@@ -207,25 +209,26 @@ open_folder(struct image_folder *folder, struct tcs_fault *fault)
 }
 
 enum tcs_status
-image_folder_open(struct image_folder *folder, const char *uri,
-	struct image_bytes *out, const char **reason, struct tcs_fault *fault)
+folder_open_file(struct folder *folder, const char *uri,
+	const struct folder_limit *limit, struct folder_file *out,
+	const char **reason, struct tcs_fault *fault)
 {
 	char *literal = strdup(uri), *decoded = strdup(uri);
 	enum tcs_status status = literal && decoded ? open_folder(folder, fault)
 						    : fault_memory(fault);
 
-	*out = (struct image_bytes){.file = -1};
+	*out = (struct folder_file){.file = -1};
 	if (!status)
-		*reason = open_name(folder, literal, out);
+		*reason = open_name(folder, literal, limit, out);
 	if (!status && *reason && decode_percents(decoded))
-		*reason = open_name(folder, decoded, out);
+		*reason = open_name(folder, decoded, limit, out);
 	free(literal);
 	free(decoded);
 	return status;
 }
 
 void
-image_folder_close(struct image_folder *folder)
+folder_close(struct folder *folder)
 {
 	if (folder->is_open)
 		close(folder->file);

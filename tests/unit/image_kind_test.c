@@ -1,5 +1,5 @@
 #include "check.h"
-#include "writers/gltf_image_kind.h"
+#include "lib/image_kind.h"
 
 #include <string.h>
 
@@ -123,6 +123,41 @@ anything_else_is_none(void)
 	CHECK(examine((const unsigned char *)"", 0, &kind));
 }
 
+static bool
+has_pixels(const unsigned char *bytes, size_t size, uint32_t width,
+	uint32_t height)
+{
+	const struct image_bytes from = {bytes, -1, size};
+	uint32_t w, h;
+
+	return image_pixels(&from, &w, &h) && w == width && h == height;
+}
+
+static void
+headers_tell_the_pixels(void)
+{
+	static const unsigned char little[] = {'I', 'I', '*', 0, 8, 0, 0, 0, 2,
+		0, 0, 1, 3, 0, 1, 0, 0, 0, 5, 0, 9, 9, 1, 1, 4, 0, 1, 0, 0, 0,
+		6, 1, 0, 0};
+	static const unsigned char big[] = {'M', 'M', 0, '*', 0, 0, 0, 8, 0, 2,
+		1, 0, 0, 3, 0, 0, 0, 1, 0, 5, 9, 9, 1, 1, 0, 4, 0, 0, 0, 1, 0,
+		0, 1, 6};
+	unsigned char other[sizeof png];
+
+	CHECK(has_pixels(png, sizeof png, 1, 1));
+	CHECK(has_pixels(jpeg, sizeof jpeg, 6, 5));
+	CHECK(has_pixels(little, sizeof little, 5, 262));
+	CHECK(has_pixels(big, sizeof big, 5, 262));
+	memcpy(other, png, sizeof png);
+	other[23] = 0;
+	CHECK(!has_pixels(other, sizeof other, 1, 0));
+	for (size_t i = 0; i < sizeof big; i++)
+		CHECK(!has_pixels(big, i, 5, 262));
+	for (size_t i = 0; i < 18; i++)
+		CHECK(!has_pixels(jpeg, i, 6, 5));
+	CHECK(!has_pixels((const unsigned char *)"", 0, 0, 0));
+}
+
 int
 main(void)
 {
@@ -134,6 +169,7 @@ main(void)
 		CHECK_TEST(a_jpeg_is_known_by_its_frame),
 		CHECK_TEST(a_webp_is_known_with_its_transparency),
 		CHECK_TEST(anything_else_is_none),
+		CHECK_TEST(headers_tell_the_pixels),
 		{0},
 	};
 

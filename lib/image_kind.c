@@ -1,4 +1,4 @@
-#include "gltf_image_kind.h"
+#include "image_kind.h"
 
 #include <errno.h>
 #include <string.h>
@@ -224,4 +224,97 @@ image_mime(enum image_format format)
 		"image/jpeg", "image/png", "image/webp"};
 
 	return names[format];
+}
+
+/* ---- pixels -------------------------------------------------------------- */
+
+static void
+png_pixels(const struct image_bytes *from, uint32_t size[2])
+{
+	unsigned char header[16];
+
+	if (image_read(from, 8, header, sizeof header) < sizeof header ||
+		memcmp(header + 4, "IHDR", 4) != 0)
+		return;
+	size[0] = big_endian(header + 8, 4);
+	size[1] = big_endian(header + 12, 4);
+}
+
+static void
+jpeg_pixels(const struct image_bytes *from, uint32_t size[2])
+{
+	unsigned char head[9];
+	uint64_t at = 2;
+
+	for (int i = 0; i < MOST_PARTS; i++) {
+		if (image_read(from, at, head, 9) < 9 || head[0] != 0xff)
+			return;
+		if (head[1] == 0xff) {
+			at++;
+			continue;
+		}
+		if (is_frame(head[1])) {
+			size[0] = big_endian(head + 7, 2);
+			size[1] = big_endian(head + 5, 2);
+			return;
+		}
+		at += 2 + (uint64_t)big_endian(head + 2, 2);
+	}
+}
+
+static uint32_t
+tiff_number(const unsigned char *bytes, int count, bool little)
+{
+	uint32_t value = 0;
+
+	if (!little)
+		return big_endian(bytes, count);
+	while (count--)
+		value = value << 8 | bytes[count];
+	return value;
+}
+
+/* Entries 256 and 257 of the first directory, each of 16 or 32 bits. */
+static void
+tiff_pixels(const struct image_bytes *from, bool little, uint32_t size[2])
+{
+	unsigned char bytes[12];
+	uint32_t at, count;
+
+	if (image_read(from, 4, bytes, 4) < 4)
+		return;
+	at = tiff_number(bytes, 4, little);
+	if (image_read(from, at, bytes, 2) < 2)
+		return;
+	count = tiff_number(bytes, 2, little);
+	for (uint32_t i = 0; i < count; i++) {
+		uint32_t tag, type;
+
+		if (image_read(from, at + (uint64_t)2 + (uint64_t)12 * i, bytes,
+			    12) < 12)
+			return;
+		tag = tiff_number(bytes, 2, little);
+		type = tiff_number(bytes + 2, 2, little);
+		if ((tag == 256 || tag == 257) && (type == 3 || type == 4))
+			size[tag - 256] = tiff_number(
+				bytes + 8, type == 3 ? 2 : 4, little);
+	}
+}
+
+bool
+image_pixels(const struct image_bytes *from, uint32_t *width, uint32_t *height)
+{
+	unsigned char head[8] = {0};
+	uint32_t size[2] = {0, 0};
+
+	image_read(from, 0, head, sizeof head);
+	if (!memcmp(head, "\x89PNG\r\n\x1a\n", 8))
+		png_pixels(from, size);
+	else if (head[0] == 0xff && head[1] == 0xd8)
+		jpeg_pixels(from, size);
+	else if (!memcmp(head, "II*\0", 4) || !memcmp(head, "MM\0*", 4))
+		tiff_pixels(from, head[0] == 'I', size);
+	*width = size[0];
+	*height = size[1];
+	return size[0] && size[1];
 }

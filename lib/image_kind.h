@@ -2,13 +2,14 @@
  * What the bytes of an image are, told by themselves and not by a name.
  *
  * Only headers are looked at, and nothing is decoded: enough to know that a
- * viewer will take the image for what the glTF says it is.
+ * viewer will take the image for what it is said to be, and how many pixels it
+ * has.
  *
  * source: PNG (W3C, 2nd edition) 5.2, 11.2.2, 11.3.2; JPEG ITU-T T.81 B.1;
- * WebP container specification.
+ * WebP container specification; TIFF 6.0, sections 2 and 8.
  */
-#ifndef TESSERA_GLTF_IMAGE_KIND_H
-#define TESSERA_GLTF_IMAGE_KIND_H
+#ifndef TESSERA_IMAGE_KIND_H
+#define TESSERA_IMAGE_KIND_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -35,6 +36,12 @@ size_t image_read(
 /* NULL with *kind filled, or the reason why not: static text. */
 const char *image_examine(
 	const struct image_bytes *from, struct image_kind *kind);
+
+/*
+ * Pixels of a JPEG, a PNG or a TIFF, neither 0. False for other bytes.
+ */
+bool image_pixels(
+	const struct image_bytes *from, uint32_t *width, uint32_t *height);
 
 /*
  * The next part of an examined image, from *at on, that goes into a glTF: its
