@@ -165,16 +165,23 @@ add_stage(struct plan *plan, const char *program, struct passed *passed,
 	return status;
 }
 
+static struct passed *
+find_passed(struct passed *passed, const char *name)
+{
+	while (strcmp(passed->name, name) != 0)
+		passed++;
+	return passed;
+}
+
 /* Images are named relative to the input: its folder, unless told another. */
 static void
-choose_images(struct plan *plan, struct passed *passed)
+choose_images(struct plan *plan, struct passed *all)
 {
+	struct passed *passed = find_passed(all, "images");
 	const char *input = plan->command.input;
 	const char *slash = input ? strrchr(input, '/') : NULL;
 	size_t length = slash ? (size_t)(slash - input) : 0;
 
-	while (passed->name && strcmp(passed->name, "images") != 0)
-		passed++;
 	if (!input || passed->value || length >= sizeof plan->images)
 		return;
 	strcpy(plan->images, slash ? "/" : ".");
@@ -183,6 +190,16 @@ choose_images(struct plan *plan, struct passed *passed)
 		plan->images[length] = '\0';
 	}
 	passed->value = plan->images;
+}
+
+/* What writes all levels gets all, unless told which. */
+static void
+choose_levels(struct passed *all)
+{
+	struct passed *passed = find_passed(all, "lod");
+
+	if (!passed->value)
+		passed->value = "all";
 }
 
 static enum tcs_status
@@ -206,6 +223,8 @@ make_plan(struct plan *plan, struct passed *passed, struct tcs_fault *fault)
 			command, "from .tcs to .tcs there is nothing to do");
 	if (!strcmp(writer, "tcs2gltf"))
 		choose_images(plan, passed);
+	if (!strcmp(reader, "citygml2tcs") && !strcmp(writer, "tcs2citygml"))
+		choose_levels(passed);
 	if (*reader)
 		status = add_stage(plan, reader, passed, fault);
 	if (!status && *writer)
@@ -399,7 +418,7 @@ prepare_and_run(struct plan *plan, struct passed *passed)
 static const struct passed passed_options[] = {
 	{"lod", "LIST",
 		"Levels of detail to take (default: the highest of each "
-		"feature).",
+		"feature; to CityGML: all).",
 		{"citygml2tcs", "tcs2gltf"}, NULL},
 	{"ade", "HOW", "What extensions of CityGML add: keep, drop.",
 		{"citygml2tcs"}, NULL},
@@ -412,7 +431,9 @@ static const struct passed passed_options[] = {
 	{"max-depth", "N", "Deepest nesting of elements to read.",
 		{"citygml2tcs"}, NULL},
 	{"max-record", "BYTES", "Largest record of the stream.",
-		{"json2tcs", "tcs2json", "tcs2gltf"}, NULL},
+		{"json2tcs", "tcs2json", "tcs2gltf", "tcs2citygml"}, NULL},
+	{"citygml", "VERSION", "CityGML to write: 1.0, 2.0, 3.0.",
+		{"tcs2citygml"}, NULL},
 	{"max-triangles", "N", "Most triangles of one object.", {"tcs2gltf"},
 		NULL},
 	{"max-columns", "N", "Most columns of attributes in a table.",
