@@ -1,0 +1,45 @@
+/*
+ * Profiles as faces in their plane: z is 0, outer rings run counterclockwise,
+ * holes clockwise.
+ *
+ * source: ISO 16739-1 8.15 (IfcProfileDef).
+ */
+#ifndef TESSERA_IFC_PROFILE_H
+#define TESSERA_IFC_PROFILE_H
+
+#include "ifc_shape.h"
+
+/*
+ * Append the faces of a profile's area; of several for a composite one, which
+ * may touch. A profile without area, or that is a curve, is refused.
+ */
+enum ifc_outcome ifc_profile_faces(struct ifc_shaper *shaper, uint32_t profile,
+	struct ifc_faces *out) TCS_CHECKED;
+
+/*
+ * A number of a profile: false unless it is there, finite and not negative. An
+ * optional one that is not there is 0 where the caller set *out so.
+ */
+bool ifc_profile_number(const struct ifc_file *file, uint32_t profile,
+	int position, double *out);
+
+/* ---- ifc_profile_plain.c: with a centre, without Position ---------------- */
+
+/* A corner of an outline, rounded with a radius that may be 0. */
+struct ifc_corner {
+	double x, y, radius;
+};
+
+/*
+ * Close a ring over corners in order; a radius too large for its edges is
+ * made smaller.
+ */
+enum ifc_outcome ifc_corners_ring(struct ifc_shaper *shaper,
+	const struct ifc_corner *corners, size_t count,
+	struct ifc_faces *out) TCS_CHECKED;
+
+/* Rectangles, circles, ellipses, trapeziums, hollow or not. */
+enum ifc_outcome ifc_profile_plain(struct ifc_shaper *shaper, uint32_t profile,
+	struct ifc_faces *out) TCS_CHECKED;
+
+#endif
