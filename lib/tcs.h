@@ -157,7 +157,12 @@ enum {
  * order, the outer ring first and no ring repeating its first vertex at the
  * end; further vertices may follow. Triangles index vertices of the object,
  * within the polygon's own run, and wind counterclockwise seen from outside.
- * A simplified polygon has no rings.
+ *
+ * A polygon without rings is no longer the original: its triangles are all
+ * that is left of it, they need not lie in one plane, and where one polygon
+ * ends says nothing. A filter that changes triangles leaves the rings out,
+ * keeps the id where one original stands behind it, and clears the flags;
+ * writers join what lies in one plane.
  */
 struct tcs_polygon {
 	tcs_text id;

@@ -1,5 +1,6 @@
 #include "citygml_compose.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -35,8 +36,11 @@ composer_release(struct composer *composer)
 	array_release(&composer->addresses);
 	array_release(&composer->paints);
 	array_release(&composer->faces);
-	array_release(&composer->loops);
-	array_release(&composer->corners);
+	coplanar_release(&composer->merged);
+	array_release(&composer->triangles);
+	array_release(&composer->triangle_polygons);
+	array_release(&composer->coats);
+	array_release(&composer->textures);
 	array_release(&composer->ring_ids);
 	array_release(&composer->slots);
 }
@@ -78,6 +82,23 @@ compose_module(const struct composer *composer, uint32_t feature,
 
 	return strcmp(property->module, node->class->module) ? property->module
 							     : node->module;
+}
+
+/* A degree of latitude is 111.3 km anywhere, near enough for a tolerance. */
+struct tcs_point
+compose_metres(const struct composer *composer)
+{
+	const struct compose_plan *plan = composer->plan;
+	double along = plan->metres, across = plan->metres;
+
+	if (plan->geographic && !composer->is_prototype &&
+		composer->object.vertices.count) {
+		double latitude = composer->object.vertices.at[0].y;
+
+		across = 111300;
+		along = across * fabs(cos(latitude * 0.017453292519943295));
+	}
+	return (struct tcs_point){along, across, plan->metres_up};
 }
 
 enum tcs_status

@@ -15,7 +15,7 @@
  *     citygml_shapes.c     geometry
  *     citygml_paints.c     appearance
  *     citygml_pieces.c     polygons: repeated ones, ids
- *     citygml_outline.c    rings of polygons that have only triangles
+ *     citygml_merge.c      polygons that have only triangles, joined
  *
  * Nothing recurses. What has no place is in the report.
  */
@@ -31,6 +31,7 @@
 #include "citygml_ids.h"
 #include "citygml_markup.h"
 #include "citygml_schema.h"
+#include "coplanar.h"
 #include "report.h"
 #include "tcs.h"
 
@@ -83,7 +84,8 @@ struct piece {
 	const char *id; /* NULL: none needed */
 	uint32_t home; /* the feature below which it is written */
 	uint32_t first; /* polygon of which it is a repetition; TCS_NONE */
-	uint32_t first_face; /* outlines of one without rings */
+	uint32_t first_face; /* of one without rings: the joined polygons
+	                        that go by its id */
 	uint32_t face_count;
 	uint32_t first_ring_id; /* of `ring_ids`; TCS_NONE: not needed */
 	bool foreign; /* written by an earlier object */
@@ -91,16 +93,11 @@ struct piece {
 	bool is_target; /* something refers to it */
 };
 
-/* An outline found from triangles: its outer ring first. */
+/* A polygon joined from triangles. */
 struct face {
 	const char *id; /* of all but the first, whose id is the polygon's */
-	uint32_t first_loop, loop_count;
-};
-
-struct loop {
-	uint32_t first, count; /* of `corners` */
-	uint32_t part; /* which connected part of the polygon it bounds */
-	double area; /* squared */
+	uint32_t first_ring, ring_count; /* of `merged`; the outer one first */
+	uint32_t rings_before; /* of earlier faces of the same polygon */
 };
 
 /* A paint's material, or its texture. */
@@ -133,6 +130,8 @@ struct compose_plan {
 	struct schema schema;
 	struct gml_palette *palette;
 	bool north_first; /* the source's axis order */
+	bool geographic; /* x and y are degrees */
+	double metres, metres_up; /* per unit of x and y, of z */
 };
 
 /* What comes of one object. */
@@ -172,8 +171,11 @@ struct composer {
 	TCS_ARRAY(struct address) addresses; /* in the order of features */
 	TCS_ARRAY(struct painting) paints; /* in the order they are written */
 	TCS_ARRAY(struct face) faces;
-	TCS_ARRAY(struct loop) loops;
-	TCS_ARRAY(uint32_t) corners;
+	struct coplanar merged;
+	TCS_ARRAY(struct tcs_triangle) triangles; /* being joined */
+	TCS_ARRAY(uint32_t) triangle_polygons;
+	TCS_ARRAY(uint64_t) coats; /* of vertices, where there are textures */
+	TCS_ARRAY(const struct tcs_paint *) textures;
 	TCS_ARRAY(const char *) ring_ids;
 	TCS_ARRAY(uint32_t) slots; /* a hash table of polygon ids */
 	struct id_set ids; /* defined in this object */
@@ -237,6 +239,9 @@ enum tcs_status compose_note(struct composer *composer,
  */
 const char *compose_id(struct composer *composer, const char *wanted);
 
+/* The length of a unit along each axis, near the object, in metres. */
+struct tcs_point compose_metres(const struct composer *composer);
+
 /* A property that links to a feature; `note` is the role of a group member. */
 void link_write(struct composer *composer, const struct item *item,
 	const char *target, const char *note);
@@ -265,7 +270,7 @@ enum tcs_status pieces_clear(
 enum tcs_status pieces_find_repetitions(
 	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
 
-/* Once it is known what refers to them: ids, and outlines. */
+/* Once it is known what refers to them: faces, and ids. */
 enum tcs_status pieces_name(
 	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
 
@@ -324,13 +329,14 @@ enum tcs_status paints_prepare(
 	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
 void paints_write(struct composer *composer);
 
-/* ---- citygml_outline.c --------------------------------------------------- */
+/* ---- citygml_merge.c ----------------------------------------------------- */
 
-/*
- * Faces of a polygon without rings, from the boundary of its triangles; the
- * triangles themselves where that is not made of simple rings.
- */
-enum tcs_status outline_find(struct composer *composer, uint32_t polygon,
-	struct tcs_fault *fault) TCS_CHECKED;
+/* Join the triangles of polygons without rings to faces of their pieces. */
+enum tcs_status merge_polygons(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The coordinate in a texture of a vertex of a face that `paint` paints. */
+struct tcs_texcoord merged_texcoord(const struct composer *composer,
+	const struct tcs_paint *paint, uint32_t vertex);
 
 #endif

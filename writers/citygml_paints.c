@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "citygml_compose.h"
+#include "citygml_polygons.h"
 
 /* In the order of enum tcs_wrap. */
 static const char *const wraps[] = {
@@ -26,13 +26,6 @@ painted(const struct composer *composer, const struct tcs_paint *paint)
 							  : paint->polygon;
 }
 
-static bool
-has_texture(const struct composer *composer, const struct tcs_paint *paint)
-{
-	return paint->image != TCS_NONE &&
-		composer->object.polygons.at[paint->polygon].ring_count > 0;
-}
-
 /* One painting; they are written in this order. */
 struct paint_key {
 	uint32_t of[5]; /* theme, image, material, flags, paint */
@@ -50,9 +43,8 @@ compare_keys(const void *left, const void *right)
 	return 0;
 }
 
-static enum tcs_status
-add_keys(struct composer *composer, struct paint_key *keys, size_t *count,
-	struct tcs_fault *fault)
+static void
+add_keys(struct composer *composer, struct paint_key *keys, size_t *count)
 {
 	const struct tcs_object *object = &composer->object;
 
@@ -65,18 +57,10 @@ add_keys(struct composer *composer, struct paint_key *keys, size_t *count,
 		if (polygon == TCS_NONE)
 			continue;
 		composer->pieces.at[polygon].is_target = true;
-		if (has_texture(composer, paint)) {
+		if (paint->image != TCS_NONE) {
 			composer->pieces.at[polygon].rings_need_ids = true;
 			key.of[1] = paint->image;
 			keys[(*count)++] = key;
-		} else if (paint->image != TCS_NONE) {
-			enum tcs_status status = compose_note(composer,
-				REPORT_SKIPPED, "texture",
-				"its polygon has no rings any more",
-				composer->nodes.at[0].id, fault);
-
-			if (status)
-				return status;
 		}
 		if (paint->material == TCS_NONE)
 			continue;
@@ -84,7 +68,6 @@ add_keys(struct composer *composer, struct paint_key *keys, size_t *count,
 		key.of[2] = paint->material;
 		keys[(*count)++] = key;
 	}
-	return TCS_OK;
 }
 
 enum tcs_status
@@ -94,7 +77,6 @@ paints_prepare(struct composer *composer, struct tcs_fault *fault)
 	uint16_t property = schema_find_content(
 		composer->nodes.at[0].class, CONTENT_APPEARANCE);
 	struct paint_key *keys;
-	enum tcs_status status;
 	size_t count = 0;
 
 	array_clear(&composer->paints);
@@ -104,9 +86,9 @@ paints_prepare(struct composer *composer, struct tcs_fault *fault)
 		&composer->arena, object->paints.count * 2 * sizeof *keys);
 	if (!keys || array_grow(&composer->paints, object->paints.count * 2))
 		return fault_memory(fault);
-	status = add_keys(composer, keys, &count, fault);
-	if (status || !count)
-		return status;
+	add_keys(composer, keys, &count);
+	if (!count)
+		return TCS_OK;
 	qsort(keys, count, sizeof *keys, compare_keys);
 	for (size_t i = 0; i < count; i++)
 		composer->paints.at[composer->paints.count++] =
@@ -201,25 +183,34 @@ start_feature(struct composer *composer, const char *name)
 			compose_id(composer, ""));
 }
 
-static void
-write_target(struct composer *composer, const struct tcs_paint *paint)
+static const char *
+face_id(const struct composer *composer, const struct piece *piece,
+	uint32_t face)
 {
-	const struct piece *piece =
-		&composer->pieces.at[painted(composer, paint)];
+	return face ? composer->faces.at[piece->first_face + face].id
+		    : piece->id;
+}
+
+static void
+write_target(struct composer *composer, const char *id)
+{
 	struct markup *markup = &composer->out->markup;
 
-	for (uint32_t i = 0; i == 0 || i < piece->face_count; i++) {
-		const char *id = i
-			? composer->faces.at[piece->first_face + i].id
-			: piece->id;
+	markup_start(markup, "app", "target");
+	markup_text(markup, "#");
+	markup_text(markup, id);
+	markup_end(markup, "app", "target");
+}
 
-		if (!id)
-			continue;
-		markup_start(markup, "app", "target");
-		markup_text(markup, "#");
-		markup_text(markup, id);
-		markup_end(markup, "app", "target");
-	}
+static void
+write_targets(struct composer *composer, const struct tcs_paint *paint)
+{
+	uint32_t polygon = painted(composer, paint);
+	const struct piece *piece = &composer->pieces.at[polygon];
+
+	for (uint32_t i = 0; i < shape_face_count(composer, polygon); i++)
+		if (piece->id)
+			write_target(composer, face_id(composer, piece, i));
 }
 
 static void
@@ -243,9 +234,19 @@ write_material(
 	markup_leaf(
 		markup, "app", "isSmooth", material.smooth ? "true" : "false");
 	for (size_t i = 0; i < count; i++)
-		write_target(composer, &paints[from[i].index]);
+		write_targets(composer, &paints[from[i].index]);
 	markup_end(markup, "app", "X3DMaterial");
 }
+
+/* A face that a texture is wrapped on: a polygon with its rings, or one
+ * joined from triangles. */
+struct wrapped {
+	const struct tcs_paint *paint;
+	const struct face *face; /* NULL: the polygon itself */
+	const char *id;
+	const char *const *ring_ids;
+	uint32_t ring_count;
+};
 
 static void
 write_coordinates(struct composer *composer, const struct tcs_paint *paint,
@@ -258,67 +259,118 @@ write_coordinates(struct composer *composer, const struct tcs_paint *paint,
 			ring->first_vertex - polygon->first_vertex];
 	struct markup *markup = &composer->out->markup;
 
-	markup_begin_text(markup);
 	for (uint32_t i = 0; i <= ring->vertex_count; i++) {
 		markup_number(markup, at[i % ring->vertex_count].s);
 		markup_number(markup, at[i % ring->vertex_count].t);
 	}
 }
 
+static void
+write_merged_coordinates(struct composer *composer,
+	const struct tcs_paint *paint, const struct coplanar_ring *ring)
+{
+	const uint32_t *corners = composer->merged.corners.at + ring->first;
+
+	for (uint32_t i = 0; i <= ring->count; i++) {
+		struct tcs_texcoord at = merged_texcoord(
+			composer, paint, corners[i % ring->count]);
+
+		markup_number(&composer->out->markup, at.s);
+		markup_number(&composer->out->markup, at.t);
+	}
+}
+
+static void
+write_ring_coordinates(
+	struct composer *composer, const struct wrapped *wrapped, uint32_t ring)
+{
+	const struct tcs_object *object = &composer->object;
+	const struct tcs_paint *paint = wrapped->paint;
+
+	markup_begin_text(&composer->out->markup);
+	if (wrapped->face)
+		write_merged_coordinates(composer, paint,
+			&composer->merged.rings
+				 .at[wrapped->face->first_ring + ring]);
+	else
+		write_coordinates(composer, paint,
+			&object->rings.at[object->polygons.at[paint->polygon]
+						  .first_ring +
+				ring]);
+}
+
 /* In 1.0 and 2.0 the ring is an attribute; in 3.0 rings follow, in order. */
 static void
-write_coordinate_list(struct composer *composer, const struct tcs_paint *paint)
+write_coordinate_list(struct composer *composer, const struct wrapped *wrapped)
 {
-	const struct tcs_polygon *polygon =
-		&composer->object.polygons.at[paint->polygon];
-	const struct piece *piece =
-		&composer->pieces.at[painted(composer, paint)];
-	const char *const *ids = composer->ring_ids.at + piece->first_ring_id;
 	struct markup *markup = &composer->out->markup;
+	bool is_3 = compose_is_3(composer);
 
 	markup_start(markup, "app", "TexCoordList");
-	for (uint32_t i = 0; i < polygon->ring_count; i++) {
+	for (uint32_t i = 0; i < wrapped->ring_count; i++) {
 		markup_start(markup, "app", "textureCoordinates");
-		if (!compose_is_3(composer))
-			markup_link(markup, "ring", ids[i]);
-		write_coordinates(composer, paint,
-			&composer->object.rings.at[polygon->first_ring + i]);
+		if (!is_3)
+			markup_link(markup, "ring", wrapped->ring_ids[i]);
+		write_ring_coordinates(composer, wrapped, i);
 		markup_end(markup, "app", "textureCoordinates");
 	}
-	for (uint32_t i = 0; compose_is_3(composer) && i < polygon->ring_count;
-		i++) {
+	for (uint32_t i = 0; is_3 && i < wrapped->ring_count; i++) {
 		markup_start(markup, "app", "ring");
 		markup_text(markup, "#");
-		markup_text(markup, ids[i]);
+		markup_text(markup, wrapped->ring_ids[i]);
 		markup_end(markup, "app", "ring");
 	}
 	markup_end(markup, "app", "TexCoordList");
 }
 
 static void
-write_texture_target(struct composer *composer, const struct tcs_paint *paint)
+write_wrapped(struct composer *composer, const struct wrapped *wrapped)
 {
-	const struct piece *piece =
-		&composer->pieces.at[painted(composer, paint)];
 	struct markup *markup = &composer->out->markup;
 
-	if (!piece->id || piece->first_ring_id == TCS_NONE)
-		return;
 	if (!compose_is_3(composer)) {
 		markup_start(markup, "app", "target");
-		markup_link(markup, "uri", piece->id);
-		write_coordinate_list(composer, paint);
+		markup_link(markup, "uri", wrapped->id);
+		write_coordinate_list(composer, wrapped);
 		markup_end(markup, "app", "target");
 		return;
 	}
 	markup_start(markup, "app", "textureParameterization");
 	start_feature(composer, "TextureAssociation");
-	write_target(composer, paint);
+	write_target(composer, wrapped->id);
 	markup_start(markup, "app", "textureParameterization");
-	write_coordinate_list(composer, paint);
+	write_coordinate_list(composer, wrapped);
 	markup_end(markup, "app", "textureParameterization");
 	markup_end(markup, "app", "TextureAssociation");
 	markup_end(markup, "app", "textureParameterization");
+}
+
+static void
+write_texture_targets(struct composer *composer, const struct tcs_paint *paint)
+{
+	const struct tcs_polygon *polygon =
+		&composer->object.polygons.at[paint->polygon];
+	uint32_t target = painted(composer, paint);
+	const struct piece *piece = &composer->pieces.at[target];
+	struct wrapped wrapped = {.paint = paint,
+		.id = piece->id,
+		.ring_count = polygon->ring_count};
+
+	if (!piece->id || piece->first_ring_id == TCS_NONE)
+		return;
+	wrapped.ring_ids = composer->ring_ids.at + piece->first_ring_id;
+	if (polygon->ring_count) {
+		write_wrapped(composer, &wrapped);
+		return;
+	}
+	for (uint32_t i = 0; i < piece->face_count; i++) {
+		wrapped.face = &composer->faces.at[piece->first_face + i];
+		wrapped.id = face_id(composer, piece, i);
+		wrapped.ring_ids = composer->ring_ids.at +
+			piece->first_ring_id + wrapped.face->rings_before;
+		wrapped.ring_count = wrapped.face->ring_count;
+		write_wrapped(composer, &wrapped);
+	}
 }
 
 static bool
@@ -357,7 +409,7 @@ write_texture(
 	if (has_border(&image.is))
 		write_floats(composer, "borderColor", image.is.border, 4);
 	for (size_t i = 0; i < count; i++)
-		write_texture_target(composer, &paints[from[i].index]);
+		write_texture_targets(composer, &paints[from[i].index]);
 	markup_end(markup, "app", "ParameterizedTexture");
 }
 

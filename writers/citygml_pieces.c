@@ -1,7 +1,7 @@
 /* Polygons on their way out: which are repeated, and what they are called. */
 #include <string.h>
 
-#include "citygml_compose.h"
+#include "citygml_polygons.h"
 
 /* The slot of a polygon's id: the first polygon that has it, or free. */
 static uint32_t *
@@ -67,7 +67,8 @@ pieces_find_repetitions(struct composer *composer, struct tcs_fault *fault)
 		struct piece *piece = &composer->pieces.at[i];
 		uint32_t *slot;
 
-		if (piece->home == TCS_NONE || !polygon->id)
+		if (piece->home == TCS_NONE || !polygon->id ||
+			!polygon->ring_count)
 			continue;
 		slot = find_slot(composer, compose_text(composer, polygon->id));
 		if (*slot == TCS_NONE) {
@@ -96,14 +97,19 @@ static enum tcs_status
 name_rings(struct composer *composer, const struct tcs_polygon *polygon,
 	struct piece *piece, struct tcs_fault *fault)
 {
+	uint32_t count = polygon->ring_count;
+
 	if (!piece->rings_need_ids)
 		return TCS_OK;
+	for (uint32_t i = 0; i < piece->face_count; i++)
+		count += composer->faces.at[piece->first_face + i].ring_count;
 	piece->first_ring_id = (uint32_t)composer->ring_ids.count;
-	if (array_grow(&composer->ring_ids, polygon->ring_count))
+	if (array_grow(&composer->ring_ids, count))
 		return fault_memory(fault);
-	for (uint32_t i = 0; i < polygon->ring_count; i++) {
-		tcs_text id =
-			composer->object.rings.at[polygon->first_ring + i].id;
+	for (uint32_t i = 0; i < count; i++) {
+		tcs_text id = i < polygon->ring_count
+			? composer->object.rings.at[polygon->first_ring + i].id
+			: 0;
 
 		composer->ring_ids.at[composer->ring_ids.count++] =
 			compose_id(composer, compose_text(composer, id));
@@ -125,21 +131,15 @@ enum tcs_status
 pieces_name(struct composer *composer, struct tcs_fault *fault)
 {
 	const struct tcs_object *object = &composer->object;
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status = merge_polygons(composer, fault);
 
 	for (uint32_t i = 0; i < object->polygons.count && !status; i++) {
 		const struct tcs_polygon *polygon = &object->polygons.at[i];
 		struct piece *piece = &composer->pieces.at[i];
 
 		if (piece->home == TCS_NONE || piece->foreign ||
-			piece->first != TCS_NONE)
-			continue;
-		if (!polygon->ring_count) {
-			status = outline_find(composer, i, fault);
-			if (status)
-				return status;
-		}
-		if (is_patch(composer, i))
+			piece->first != TCS_NONE || is_patch(composer, i) ||
+			!shape_face_count(composer, i))
 			continue;
 		if (polygon->id || piece->is_target || compose_is_3(composer))
 			piece->id = compose_id(
@@ -158,8 +158,7 @@ pieces_clear(struct composer *composer, struct tcs_fault *fault)
 	array_clear(&composer->pieces);
 	array_clear(&composer->owners);
 	array_clear(&composer->faces);
-	array_clear(&composer->loops);
-	array_clear(&composer->corners);
+	coplanar_clear(&composer->merged);
 	array_clear(&composer->ring_ids);
 	if (array_grow(&composer->pieces, count) ||
 		array_grow(&composer->owners, count))

@@ -86,13 +86,14 @@ write_ring(struct composer *composer, const struct tcs_ring *ring, bool outer,
 }
 
 static void
-write_loop(struct composer *composer, const struct loop *loop, bool outer)
+write_merged_ring(struct composer *composer, const struct coplanar_ring *ring,
+	bool outer, const char *id)
 {
-	const uint32_t *corners = composer->corners.at + loop->first;
+	const uint32_t *corners = composer->merged.corners.at + ring->first;
 	const struct tcs_point *vertices = composer->object.vertices.at;
 
-	start_ring(composer, outer, NULL);
-	for (uint32_t i = 0; i < loop->count; i++)
+	start_ring(composer, outer, id);
+	for (uint32_t i = 0; i < ring->count; i++)
 		shape_point(composer, vertices[corners[i]]);
 	shape_point(composer, vertices[corners[0]]);
 	end_ring(composer, outer);
@@ -111,16 +112,28 @@ shape_triangle(struct composer *composer, const struct tcs_triangle *triangle)
 
 /* ---- polygons -------------------------------------------------------------------- */
 
-/* The id of a ring: its own, or the one that texture coordinates go by. */
+/* The id that texture coordinates go by. */
+static const char *
+painted_ring_id(
+	const struct composer *composer, uint32_t polygon, uint32_t ring)
+{
+	const struct piece *piece = &composer->pieces.at[polygon];
+
+	return piece->first_ring_id == TCS_NONE
+		? NULL
+		: composer->ring_ids.at[piece->first_ring_id + ring];
+}
+
+/* That id, or the ring's own. */
 static const char *
 ring_id(struct composer *composer, uint32_t polygon, uint32_t ring)
 {
 	const struct tcs_polygon *of = &composer->object.polygons.at[polygon];
+	const char *id = painted_ring_id(composer, polygon, ring);
 	tcs_text given = composer->object.rings.at[of->first_ring + ring].id;
 
-	if (composer->pieces.at[polygon].first_ring_id != TCS_NONE)
-		return composer->ring_ids
-			.at[composer->pieces.at[polygon].first_ring_id + ring];
+	if (id)
+		return id;
 	return given ? compose_id(composer, compose_text(composer, given))
 		     : NULL;
 }
@@ -143,9 +156,11 @@ write_face(struct composer *composer, uint32_t polygon, uint32_t face)
 	const struct face *of = &composer->faces.at[piece->first_face + face];
 
 	shape_start_with_id(composer, "Polygon", face ? of->id : piece->id);
-	for (uint32_t i = 0; i < of->loop_count; i++)
-		write_loop(composer, &composer->loops.at[of->first_loop + i],
-			i == 0);
+	for (uint32_t i = 0; i < of->ring_count; i++)
+		write_merged_ring(composer,
+			&composer->merged.rings.at[of->first_ring + i], i == 0,
+			painted_ring_id(
+				composer, polygon, of->rings_before + i));
 	markup_end(&composer->out->markup, "gml", "Polygon");
 }
 

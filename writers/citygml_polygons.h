@@ -19,7 +19,8 @@ void shape_triangle(
 	struct composer *composer, const struct tcs_triangle *triangle);
 void shape_rings(struct composer *composer, uint32_t polygon);
 
-/* How many faces it is written as: one with rings, else its outlines. */
+/* How many faces it is written as: one with rings, else those that its
+ * triangles begin when they are joined. */
 uint32_t shape_face_count(const struct composer *composer, uint32_t polygon);
 void shape_polygon(struct composer *composer, uint32_t polygon, uint32_t face);
 

@@ -127,6 +127,7 @@ static enum tcs_status
 read_head(
 	struct run *run, const struct options *options, struct tcs_fault *fault)
 {
+	const struct tcs_crs *crs;
 	enum tcs_status status;
 
 	status = reader_next(&run->reader, &run->head_record, fault);
@@ -138,8 +139,11 @@ read_head(
 	if (status)
 		return status;
 	run->plan.palette = &run->palette;
-	run->plan.north_first =
-		(run->head.crs.at[0].flags & TCS_CRS_NORTH_FIRST) != 0;
+	crs = &run->head.crs.at[0];
+	run->plan.north_first = (crs->flags & TCS_CRS_NORTH_FIRST) != 0;
+	run->plan.geographic = crs->kind == TCS_CRS_GEOGRAPHIC;
+	run->plan.metres = crs->metres_per_unit;
+	run->plan.metres_up = crs->metres_per_unit_up;
 	return document_begin(&run->document, &run->plan, fault);
 }
 
