@@ -89,16 +89,16 @@ struct tcs_point
 compose_metres(const struct composer *composer)
 {
 	const struct compose_plan *plan = composer->plan;
-	double along = plan->metres, across = plan->metres;
+	struct tcs_point metres = {plan->metres, plan->metres, plan->metres_up};
 
 	if (plan->geographic && !composer->is_prototype &&
 		composer->object.vertices.count) {
 		double latitude = composer->object.vertices.at[0].y;
 
-		across = 111300;
-		along = across * fabs(cos(latitude * 0.017453292519943295));
+		metres.y = 111300;
+		metres.x = 111300 * fabs(cos(latitude * 0.017453292519943295));
 	}
-	return (struct tcs_point){along, across, plan->metres_up};
+	return metres;
 }
 
 enum tcs_status

@@ -127,7 +127,7 @@ sort_corners(struct coplanar *coplanar, const struct tcs_point *vertices,
 static bool
 has_three_places(const struct coplanar *coplanar, size_t triangle)
 {
-	const uint32_t *places = &coplanar->places.at[3 * triangle];
+	const uint32_t *places = coplanar->places.at + 3 * triangle;
 
 	return places[0] != places[1] && places[1] != places[2] &&
 		places[2] != places[0];

@@ -203,7 +203,7 @@ coplanar_trace(struct coplanar *coplanar, const struct tcs_triangle *triangles,
 {
 	size_t first = coplanar->firsts.at[region];
 	size_t count = coplanar->firsts.at[region + 1] - first;
-	const uint32_t *members = &coplanar->members.at[first];
+	const uint32_t *members = coplanar->members.at + first;
 	struct border border = {triangles, normal_of(coplanar, members, count)};
 	size_t ring = coplanar->rings.count, corner = coplanar->corners.count;
 	uint32_t lowest = members[0];
