@@ -31,15 +31,29 @@ struct ifc_corner {
 };
 
 /*
- * Close a ring over corners in order; a radius too large for its edges is
- * made smaller.
+ * Close a ring over corners in order; radii too large for an edge are made
+ * smaller by the same factor at both of its ends.
  */
 enum ifc_outcome ifc_corners_ring(struct ifc_shaper *shaper,
 	const struct ifc_corner *corners, size_t count,
 	struct ifc_faces *out) TCS_CHECKED;
 
-/* Rectangles, circles, ellipses, trapeziums, hollow or not. */
+/*
+ * Rectangles, circles, ellipses, trapeziums, hollow or not; any other goes on
+ * to ifc_profile_steel.
+ */
 enum ifc_outcome ifc_profile_plain(struct ifc_shaper *shaper, uint32_t profile,
+	struct ifc_faces *out) TCS_CHECKED;
+
+/* ---- ifc_profile_steel.c ------------------------------------------------- */
+
+/*
+ * I, L, T, U, Z and C shapes, as above. Where a flange or leg slopes, its
+ * thickness holds where the rolling standards measure it: I and T a quarter of
+ * the width from the edge (DIN 1025-1, DIN 1024), U and L in the middle (DIN
+ * 1026-1).
+ */
+enum ifc_outcome ifc_profile_steel(struct ifc_shaper *shaper, uint32_t profile,
 	struct ifc_faces *out) TCS_CHECKED;
 
 #endif

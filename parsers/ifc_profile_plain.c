@@ -40,24 +40,44 @@ edge_from(const struct ifc_corner *a, const struct ifc_corner *b)
 	return edge;
 }
 
-static enum ifc_outcome
-corner_points(struct ifc_shaper *shaper, const struct ifc_corner *before,
-	const struct ifc_corner *corner, const struct ifc_corner *behind,
-	struct ifc_points *out)
+/* How far an edge's ends are cut back where a corner is round. */
+static double
+corner_cut(const struct ifc_corner *before, const struct ifc_corner *corner,
+	const struct ifc_corner *behind)
 {
 	struct edge in = edge_from(before, corner);
 	struct edge on = edge_from(corner, behind);
+	double across = fabs(in.x * on.y - in.y * on.x);
+	double ahead = in.x * on.x + in.y * on.y;
+
+	return across > 0 ? corner->radius * across / (1 + ahead) : 0;
+}
+
+/* The factor by which the cuts at both ends fit an edge. */
+static double
+cuts_fit(double length, double cut, double other)
+{
+	return cut + other > length ? length / (cut + other) : 1;
+}
+
+/* The corner at[2], rounded, between two before and two behind it. */
+static enum ifc_outcome
+corner_points(struct ifc_shaper *shaper, const struct ifc_corner *const at[5],
+	struct ifc_points *out)
+{
+	const struct ifc_corner *corner = at[2];
+	struct edge in = edge_from(at[1], corner);
+	struct edge on = edge_from(corner, at[3]);
 	double turn =
 		atan2(in.x * on.y - in.y * on.x, in.x * on.x + in.y * on.y);
-	double half = tan(fabs(turn) / 2), cut = corner->radius * half;
-	double room = fmin(in.length, on.length) / 2, radius = corner->radius;
+	double cut = corner_cut(at[1], corner, at[3]);
+	double fit = fmin(
+		cuts_fit(in.length, cut, corner_cut(at[0], at[1], corner)),
+		cuts_fit(on.length, cut, corner_cut(corner, at[3], at[4])));
+	double radius = corner->radius * fit, side, start;
 	struct ifc_conic arc;
-	double side, start;
 
-	if (cut > room) {
-		cut = room;
-		radius = room / half;
-	}
+	cut *= fit;
 	if (!(radius > shaper->precision) || !(cut > shaper->precision))
 		return ifc_point_add(shaper, out,
 			(struct tcs_point){corner->x, corner->y, 0});
@@ -78,8 +98,12 @@ ifc_corners_ring(struct ifc_shaper *shaper, const struct ifc_corner *corners,
 
 	for (size_t i = 0; i < count && !outcome; i++)
 		outcome = corner_points(shaper,
-			corners + (i + count - 1) % count, corners + i,
-			corners + (i + 1) % count, &out->points);
+			(const struct ifc_corner *[]){
+				corners + (i + count - 2) % count,
+				corners + (i + count - 1) % count, corners + i,
+				corners + (i + 1) % count,
+				corners + (i + 2) % count},
+			&out->points);
 	return outcome ? outcome : ifc_ring_end(shaper, out, NULL);
 }
 
@@ -205,7 +229,6 @@ ifc_profile_plain(
 	case IFC_TRAPEZIUMPROFILEDEF:
 		return trapezium(shaper, profile, out);
 	default:
-		return ifc_refuse(
-			shaper, profile, "a profile of this kind is not known");
+		return ifc_profile_steel(shaper, profile, out);
 	}
 }
