@@ -189,6 +189,26 @@ compose_id(struct composer *composer, const char *wanted)
 	return define(composer, id) ? id : numbered(composer, id, "_", &number);
 }
 
+const char *
+compose_id_in(struct composer *composer, const struct tcs_geometry *geometry,
+	tcs_text wanted)
+{
+	const char *original = compose_text(composer, wanted);
+	size_t length = strlen(original) + sizeof "_lod9";
+	char *id;
+
+	if (!wanted || !(geometry->flags & TCS_GEOMETRY_SIMPLIFIED) ||
+		geometry->lod > 4)
+		return compose_id(composer, original);
+	id = arena_get(&composer->arena, length);
+	if (!id) {
+		composer->out->markup.failed = true;
+		return "";
+	}
+	snprintf(id, length, "%s_lod%u", original, geometry->lod);
+	return compose_id(composer, id);
+}
+
 /* ---- items ------------------------------------------------------------------------ */
 
 static bool

@@ -239,6 +239,14 @@ enum tcs_status compose_note(struct composer *composer,
  */
 const char *compose_id(struct composer *composer, const char *wanted);
 
+/*
+ * An id for a geometry or for what is in it. The original may stand beside a
+ * simplified one and keeps its ids; those of the other say which level it is
+ * of.
+ */
+const char *compose_id_in(struct composer *composer,
+	const struct tcs_geometry *geometry, tcs_text wanted);
+
 /* The length of a unit along each axis, near the object, in metres. */
 struct tcs_point compose_metres(const struct composer *composer);
 

@@ -127,25 +127,37 @@ is_patch(const struct composer *composer, uint32_t polygon)
 		composer->object.geometries.at[geometry].kind == TCS_TIN;
 }
 
+static enum tcs_status
+name_piece(struct composer *composer, const struct tcs_geometry *geometry,
+	uint32_t index, struct tcs_fault *fault)
+{
+	const struct tcs_polygon *polygon =
+		&composer->object.polygons.at[index];
+	struct piece *piece = &composer->pieces.at[index];
+
+	if (piece->home == TCS_NONE || piece->foreign ||
+		piece->first != TCS_NONE || is_patch(composer, index) ||
+		!shape_face_count(composer, index))
+		return TCS_OK;
+	if (polygon->id || piece->is_target || compose_is_3(composer))
+		piece->id = compose_id_in(composer, geometry, polygon->id);
+	name_faces(composer, piece);
+	return name_rings(composer, polygon, piece, fault);
+}
+
 enum tcs_status
 pieces_name(struct composer *composer, struct tcs_fault *fault)
 {
 	const struct tcs_object *object = &composer->object;
 	enum tcs_status status = merge_polygons(composer, fault);
 
-	for (uint32_t i = 0; i < object->polygons.count && !status; i++) {
-		const struct tcs_polygon *polygon = &object->polygons.at[i];
-		struct piece *piece = &composer->pieces.at[i];
+	for (size_t i = 0; i < object->geometries.count; i++) {
+		const struct tcs_geometry *geometry = &object->geometries.at[i];
 
-		if (piece->home == TCS_NONE || piece->foreign ||
-			piece->first != TCS_NONE || is_patch(composer, i) ||
-			!shape_face_count(composer, i))
-			continue;
-		if (polygon->id || piece->is_target || compose_is_3(composer))
-			piece->id = compose_id(
-				composer, compose_text(composer, polygon->id));
-		name_faces(composer, piece);
-		status = name_rings(composer, polygon, piece, fault);
+		for (uint32_t j = 0; j < geometry->polygon_count && !status;
+			j++)
+			status = name_piece(composer, geometry,
+				geometry->first_polygon + j, fault);
 	}
 	return status;
 }

@@ -38,16 +38,25 @@ shape_start_with_id(struct composer *composer, const char *name, const char *id)
 }
 
 void
-shape_start(struct composer *composer, const char *name, tcs_text given)
+shape_start_in(struct composer *composer, const char *name,
+	const struct tcs_geometry *geometry, tcs_text given)
 {
 	const char *id = NULL;
 
-	if (given || compose_is_3(composer) || composer->wants_outer_id)
-		id = compose_id(composer, compose_text(composer, given));
+	if (given)
+		id = compose_id_in(composer, geometry, given);
+	else if (compose_is_3(composer) || composer->wants_outer_id)
+		id = compose_id(composer, "");
 	if (composer->wants_outer_id)
 		composer->outer_id = id;
 	composer->wants_outer_id = false;
 	shape_start_with_id(composer, name, id);
+}
+
+void
+shape_start(struct composer *composer, const char *name)
+{
+	shape_start_in(composer, name, NULL, 0);
 }
 
 /* ---- rings --------------------------------------------------------------------- */
@@ -223,7 +232,7 @@ write_member(struct composer *composer, const char *property, uint32_t polygon,
 
 	markup_start(markup, "gml", property);
 	if (reversed) {
-		shape_start(composer, "OrientableSurface", 0);
+		shape_start(composer, "OrientableSurface");
 		markup_attribute(markup, "orientation", "-");
 		markup_start(markup, "gml", "baseSurface");
 	}

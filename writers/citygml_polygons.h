@@ -12,8 +12,11 @@ void shape_start_positions(struct composer *composer);
 void shape_start_with_id(
 	struct composer *composer, const char *name, const char *id);
 
-/* The id as given; one made up only where GML 3.2 or a link wants it. */
-void shape_start(struct composer *composer, const char *name, tcs_text given);
+/* An id is made up only where GML 3.2 or a link wants it. */
+void shape_start(struct composer *composer, const char *name);
+/* The same with the id as given, of the geometry or of a part of it. */
+void shape_start_in(struct composer *composer, const char *name,
+	const struct tcs_geometry *geometry, tcs_text given);
 
 void shape_triangle(
 	struct composer *composer, const struct tcs_triangle *triangle);

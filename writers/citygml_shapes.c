@@ -38,7 +38,8 @@ static void
 write_surfaces(
 	struct composer *composer, const struct shape *shape, const char *name)
 {
-	shape_start(composer, name, shape->geometry ? shape->geometry->id : 0);
+	shape_start_in(composer, name, shape->geometry,
+		shape->geometry ? shape->geometry->id : 0);
 	write_surface_items(composer, shape);
 	markup_end(&composer->out->markup, "gml", name);
 }
@@ -111,7 +112,7 @@ write_tin(struct composer *composer, const struct shape *shape)
 	const struct tcs_geometry *geometry = shape->geometry;
 	struct markup *markup = &composer->out->markup;
 
-	shape_start(composer, "TriangulatedSurface", geometry->id);
+	shape_start_in(composer, "TriangulatedSurface", geometry, geometry->id);
 	markup_start(markup, "gml", patches);
 	for (uint32_t i = 0; i < geometry->polygon_count; i++)
 		write_patches(composer, geometry->first_polygon + i);
@@ -131,7 +132,7 @@ write_shell(struct composer *composer, const struct shape *shape,
 	struct markup *markup = &composer->out->markup;
 
 	markup_start(markup, "gml", side);
-	shape_start(composer, name, shell->id);
+	shape_start_in(composer, name, shape->geometry, shell->id);
 	for (uint32_t i = 0; i < shell->polygon_count; i++) {
 		uint32_t polygon = shell->first_polygon + i;
 
@@ -152,7 +153,7 @@ write_solid(struct composer *composer, const struct shape *shape, uint32_t *at,
 		&composer->object.shells.at[geometry->first_shell];
 	uint32_t solid = shells[*at].solid;
 
-	shape_start(composer, "Solid", id);
+	shape_start_in(composer, "Solid", geometry, id);
 	for (; *at < geometry->shell_count && shells[*at].solid == solid; ++*at)
 		write_shell(composer, shape, &shells[*at]);
 	markup_end(&composer->out->markup, "gml", "Solid");
@@ -165,7 +166,7 @@ write_solids(
 	struct markup *markup = &composer->out->markup;
 	uint32_t at = 0;
 
-	shape_start(composer, name, shape->geometry->id);
+	shape_start_in(composer, name, shape->geometry, shape->geometry->id);
 	while (at < shape->geometry->shell_count) {
 		markup_start(markup, "gml", "solidMember");
 		write_solid(composer, shape, &at, 0);
@@ -217,7 +218,7 @@ write_each(struct composer *composer, const struct shape *shape,
 	const struct tcs_geometry *geometry = shape->geometry;
 	struct markup *markup = &composer->out->markup;
 
-	shape_start(composer, name, geometry->id);
+	shape_start_in(composer, name, geometry, geometry->id);
 	for (uint32_t i = 0; i < geometry->polygon_count; i++) {
 		const char *id;
 
@@ -312,7 +313,7 @@ write_in_multi_surface(struct composer *composer, const struct shape *shape)
 		write_surfaces(composer, shape, "MultiSurface");
 		return;
 	}
-	shape_start(composer, "MultiSurface", 0);
+	shape_start(composer, "MultiSurface");
 	markup_start(markup, "gml", "surfaceMember");
 	write_tin(composer, shape);
 	markup_end(markup, "gml", "surfaceMember");
@@ -387,7 +388,7 @@ prototype_write(struct composer *composer)
 
 	composer->wants_outer_id = true;
 	if (many)
-		shape_start(composer, "MultiGeometry", 0);
+		shape_start(composer, "MultiGeometry");
 	for (uint32_t i = 0; i < object->geometries.count; i++) {
 		struct item item = {.index = i, .kind = ITEM_GEOMETRY};
 		struct shape shape = {.items = &item,
@@ -440,7 +441,7 @@ write_anchor(struct composer *composer, struct tcs_point anchor)
 	struct markup *markup = &composer->out->markup;
 
 	markup_start(markup, "core", "referencePoint");
-	shape_start(composer, "Point", 0);
+	shape_start(composer, "Point");
 	markup_start(markup, "gml", "pos");
 	markup_attribute(markup, "srsDimension", "3");
 	markup_begin_text(markup);

@@ -136,6 +136,24 @@ triangles_become_polygons_again() {
 	(($(comm -12 whole.txt split.txt | wc -l) > $(wc -l <whole.txt) * 99 / 100))
 }
 
+# A level made of the original's triangles beside the original: each in its
+# own properties, the original with its ids and coordinates as before.
+levels_stand_beside_each_other() {
+	"$BUILD/samples/maketown" --citygml "$1" --lod 3 >town.gml
+	citygml2tcs -q --lod "$all" town.gml one.tcs
+	tcs2json one.tcs | python3 "$ROOT/tests/split_polygons.py" \
+		--add "$2" | json2tcs >both.tcs
+	tcs2citygml -q --citygml "$1" both.tcs both.gml
+	validates "$1" both.gml
+	python3 "$ROOT/tests/check_ids.py" both.gml
+	awk -f "$ROOT/tests/closed.awk" both.gml
+	is "$(grep -c '<gml:Solid gml:id="[^"]*_lod[0-4]"' both.gml)" \
+		"$(grep -c "<[a-z]*:lod3Solid>" town.gml)"
+	citygml2tcs -q --lod 3 both.gml original.tcs
+	citygml2tcs -q --lod 3 town.gml before.tcs
+	same_stream before.tcs original.tcs
+}
+
 # The polygons of a simplified stream have triangles only.
 outlines_come_from_triangles() {
 	citygml2tcs -q "$SAMPLES/town-2.0.gml" | tcs2json |
@@ -214,6 +232,9 @@ run_test ids_stay_unique
 for version in 1.0 2.0 3.0; do
 	run_test triangles_become_polygons_again $version
 done
+run_test levels_stand_beside_each_other 2.0 3:2
+run_test levels_stand_beside_each_other 2.0 3:1
+run_test levels_stand_beside_each_other 3.0 3:2
 run_test outlines_come_from_triangles
 run_test broken_streams_write_nothing
 # Minutes, most of them xmllint's: once is enough.
