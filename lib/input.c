@@ -263,6 +263,64 @@ input_rewind(struct input *input, struct tcs_fault *fault)
 	return fault_system(fault, "cannot read again", input->name);
 }
 
+/* Bytes that are held are stepped over; else the next come from there. */
+static enum tcs_status
+seek_plain(struct input *input, uint64_t at, struct tcs_fault *fault)
+{
+	struct input_gz *gz = input->gz;
+	uint64_t held = gz->inflate.avail_in;
+	off_t place = gz->start + (off_t)at;
+
+	if (at >= input->at && at - input->at <= held) {
+		gz->inflate.next_in += at - input->at;
+		gz->inflate.avail_in -= (uInt)(at - input->at);
+	} else if (lseek(gz->fd, place, SEEK_SET) == place) {
+		gz->inflate.avail_in = 0;
+		gz->fetched = at;
+		gz->ended = false;
+	} else {
+		return fault_system(fault, "cannot read again", input->name);
+	}
+	input->at = at;
+	return TCS_OK;
+}
+
+static enum tcs_status
+seek_packed(struct input *input, uint64_t at, struct tcs_fault *fault)
+{
+	unsigned char passed[16 * 1024];
+	enum tcs_status status = TCS_OK;
+
+	if (at < input->at)
+		status = input_rewind(input, fault);
+	while (!status && input->at < at) {
+		uint64_t left = at - input->at;
+		size_t got;
+
+		status = input_read(input, passed,
+			left < sizeof passed ? (size_t)left : sizeof passed,
+			&got, fault);
+		if (!status && !got)
+			return fault_set(fault, TCS_TRUNCATED,
+				input_consumed(input),
+				"the input has become shorter");
+	}
+	return status;
+}
+
+enum tcs_status
+input_seek(struct input *input, uint64_t at, struct tcs_fault *fault)
+{
+	const struct input_gz *gz = input->gz;
+
+	if (!input->can_rewind) {
+		errno = ESPIPE;
+		return fault_system(fault, "cannot read again", input->name);
+	}
+	return gz->packed ? seek_packed(input, at, fault)
+			  : seek_plain(input, at, fault);
+}
+
 static enum tcs_status
 write_all(int fd, const unsigned char *bytes, size_t length,
 	struct tcs_fault *fault)

@@ -36,6 +36,14 @@ enum tcs_status input_rewind(
 	struct input *input, struct tcs_fault *fault) TCS_CHECKED;
 
 /*
+ * Go on reading at this byte, uncompressed, of an input that can be rewound.
+ * What is compressed is read up to there, if need be from its beginning.
+ * TCS_TRUNCATED when the input ends before.
+ */
+enum tcs_status input_seek(
+	struct input *input, uint64_t at, struct tcs_fault *fault) TCS_CHECKED;
+
+/*
  * Before the first read: make an input that cannot be read twice one that can,
  * by copying all of it, as stored, to a file that has no name and vanishes with
  * the process. Nothing happens to an input that already can. Fails with

@@ -4,10 +4,14 @@
 #include <string.h>
 
 #include "citygml_head.h"
+#include "citygml_keys.h"
+#include "citygml_parts.h"
+#include "citygml_passes.h"
+#include "citygml_skim.h"
 #include "crew.h"
 #include "progress.h"
 
-enum { CHUNK = 64 * 1024, COMPRESSION_LEVEL = 6 };
+enum { COMPRESSION_LEVEL = 6 };
 
 enum convert_phase {
 	PHASE_WRITE, /* write every object that needs no other */
@@ -25,15 +29,15 @@ struct slot {
 	size_t prototype_count;
 	struct report templates; /* what became of them */
 	TCS_ARRAY(char *) missing; /* owned: ids that were not found */
+	TCS_ARRAY(uint64_t) hashes; /* of the ids that links may name */
 };
 
 struct convert {
-	struct input *input;
+	struct document document;
 	const struct convert_options *options;
 	const struct command *command;
 	struct report *report;
 	struct progress progress;
-	struct gml_reader reader;
 	struct tcs_writer writer;
 	struct build_plan plan;
 	struct raw_library library;
@@ -43,41 +47,13 @@ struct convert {
 	struct slot *slots;
 	size_t slot_count;
 	enum convert_phase phase;
-	bool ended; /* the document has been read to its end */
+	struct place_log places; /* of the objects of the first phase */
 	struct tcs_record head; /* made with the first object read */
 	bool head_ready, head_written;
 	uint64_t written; /* objects */
-	char chunk[CHUNK];
 };
 
 /* ---- reading ------------------------------------------------------------------ */
-
-static enum tcs_status
-feed(struct convert *convert, struct tcs_fault *fault)
-{
-	size_t got;
-	enum tcs_status status;
-
-	status = input_read(convert->input, convert->chunk, CHUNK, &got, fault);
-	if (status)
-		return status;
-	convert->ended = got == 0;
-	if (!convert->input->at)
-		return fault_set(
-			fault, TCS_BAD_INPUT, TCS_NOWHERE, "the file is empty");
-	return gml_feed(&convert->reader, convert->chunk, got, fault);
-}
-
-static enum tcs_status
-start_pass(struct convert *convert, enum gml_pass pass, struct tcs_fault *fault)
-{
-	enum tcs_status status = TCS_OK;
-
-	if (convert->input->at)
-		status = input_rewind(convert->input, fault);
-	convert->ended = false;
-	return status ? status : gml_start_pass(&convert->reader, pass, fault);
-}
 
 /* Objects that this phase has nothing to do with are not worked on. */
 static bool
@@ -86,7 +62,8 @@ is_wanted(struct convert *convert, const struct raw_object *raw)
 	if (convert->phase != PHASE_DEFERRED)
 		return true;
 	if (convert->next_deferred == convert->deferred.count ||
-		convert->deferred.at[convert->next_deferred] != raw->number)
+		convert->deferred.at[convert->next_deferred] !=
+			raw->place.number)
 		return false;
 	convert->next_deferred++;
 	return true;
@@ -102,8 +79,8 @@ prepare_head(struct convert *convert, const struct raw_object *first,
 
 	if (convert->head_ready)
 		return TCS_OK;
-	status = head_build(
-		&head, &convert->reader, first, convert->command, fault);
+	status = head_build(&head, &convert->document.reader, first,
+		convert->command, fault);
 	if (!status)
 		status = head_encode(&head, &convert->head, fault);
 	convert->head_ready = true;
@@ -115,28 +92,29 @@ static enum tcs_status
 convert_read(void *context, void *item, bool *done, struct tcs_fault *fault)
 {
 	struct convert *convert = context;
+	struct document *document = &convert->document;
 	struct slot *slot = item;
 
-	gml_recycle(&convert->reader, slot->raw);
+	gml_recycle(&document->reader, slot->raw);
 	for (;;) {
 		enum tcs_status status;
 
-		slot->raw = gml_take(&convert->reader);
+		slot->raw = gml_take(&document->reader);
 		if (slot->raw && is_wanted(convert, slot->raw))
 			return prepare_head(convert, slot->raw, fault);
 		if (slot->raw) {
-			gml_recycle(&convert->reader, slot->raw);
+			gml_recycle(&document->reader, slot->raw);
 			continue;
 		}
-		if (convert->ended) {
+		if (document->ended) {
 			*done = true;
 			return TCS_OK;
 		}
-		status = feed(convert, fault);
+		status = document_feed(document, fault);
 		if (status)
 			return status;
 		progress_show(&convert->progress, convert->written,
-			input_consumed(convert->input), convert->input->size);
+			input_consumed(document->input), document->input->size);
 	}
 }
 
@@ -191,6 +169,20 @@ keep_missing(struct convert *convert, struct slot *slot,
 	return TCS_OK;
 }
 
+static enum tcs_status
+hash_ids(struct slot *slot, struct tcs_fault *fault)
+{
+	const struct raw_object *raw = slot->raw;
+
+	slot->hashes.count = 0;
+	if (array_grow(&slot->hashes, raw->targets.count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < raw->targets.count; i++)
+		slot->hashes.at[slot->hashes.count++] = key_hash(
+			object_text(&raw->tree, raw->targets.at[i].id));
+	return TCS_OK;
+}
+
 /* One record for each template that comes first in this object. */
 static enum tcs_status
 work_on_templates(struct convert *convert, struct slot *slot,
@@ -230,7 +222,9 @@ convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
 	slot_forget(slot);
 	if (convert->phase == PHASE_COLLECT)
 		return TCS_OK;
-	status = paints_fetch(&convert->plan, slot->raw, fault);
+	status = hash_ids(slot, fault);
+	if (!status)
+		status = paints_fetch(&convert->plan, slot->raw, fault);
 	if (!status)
 		status = work_on_templates(convert, slot, builder, fault);
 	if (!status && has_palette(slot->raw))
@@ -264,7 +258,8 @@ defer(struct convert *convert, const struct slot *slot, struct tcs_fault *fault)
 
 	if (array_grow(&convert->deferred, 1))
 		return fault_memory(fault);
-	convert->deferred.at[convert->deferred.count++] = slot->raw->number;
+	convert->deferred.at[convert->deferred.count++] =
+		slot->raw->place.number;
 	for (size_t i = 0; !status && i < slot->missing.count; i++)
 		status = library_want(
 			&convert->library, slot->missing.at[i], fault);
@@ -282,6 +277,9 @@ convert_write(void *context, void *item, struct tcs_fault *fault)
 		return library_collect(&convert->library, slot->raw, fault);
 	if (!convert->head_written)
 		status = write_head(convert, fault);
+	if (!status && convert->phase == PHASE_WRITE)
+		status = places_add(&convert->places, &slot->raw->place,
+			slot->hashes.at, slot->hashes.count, fault);
 	if (!status && has_palette(slot->raw))
 		status = writer_put(&convert->writer, &slot->palette, fault);
 	for (size_t i = 0; !status && i < slot->prototype_count; i++)
@@ -303,78 +301,51 @@ convert_write(void *context, void *item, struct tcs_fault *fault)
 
 /* ---- the passes ----------------------------------------------------------------------- */
 
-/* "appearanceMember", found by its rarest letter. */
-static bool
-names_appearances(const char *at, size_t length)
+static enum tcs_status
+feed_all(struct convert *convert, const struct document_parts *parts,
+	struct tcs_fault *fault)
 {
-	static const char before[] = "appearance", after[] = "ember";
-	const size_t ahead = sizeof before - 1, behind = sizeof after - 1;
-	const char *end = at + length;
+	struct document *document = &convert->document;
+	enum tcs_status status;
 
-	if (length <= ahead + behind)
-		return false;
-	for (at += ahead; at < end - behind; at++) {
-		at = memchr(at, 'M', (size_t)(end - behind - at));
-		if (!at)
-			return false;
-		if (!memcmp(at - ahead, before, ahead) &&
-			!memcmp(at + 1, after, behind))
-			return true;
-	}
-	return false;
+	status = document_start(document, PASS_APPEARANCES, parts, fault);
+	while (!status && !document->ended)
+		status = document_feed(document, fault);
+	return status;
 }
 
 /*
- * A look through the bytes for global appearances. Text in UTF-16, told by its
- * NULs, gets the benefit of the doubt.
+ * What is no XML is read as a whole, where the first fault is found first.
  */
-static enum tcs_status
-document_has_appearances(
-	struct convert *convert, bool *found, struct tcs_fault *fault)
-{
-	const size_t overlap = 16;
-	size_t held = 0, got;
-
-	*found = false;
-	for (;;) {
-		enum tcs_status status = input_read(convert->input,
-			convert->chunk + held, CHUNK - held, &got, fault);
-
-		if (status || !got)
-			return status;
-		held += got;
-		*found = names_appearances(convert->chunk, held) ||
-			memchr(convert->chunk, 0, held);
-		if (*found)
-			return TCS_OK;
-		if (held > overlap) {
-			memmove(convert->chunk, convert->chunk + held - overlap,
-				overlap);
-			held = overlap;
-		}
-	}
-}
-
 static enum tcs_status
 read_appearances(struct convert *convert, struct tcs_fault *fault)
 {
+	struct gml_reader *reader = &convert->document.reader;
+	struct document_parts parts = {0};
+	enum skim_result result;
 	enum tcs_status status;
-	bool found;
 
-	status = document_has_appearances(convert, &found, fault);
-	if (!status)
-		status = start_pass(convert, PASS_APPEARANCES, fault);
-	if (status || !found)
-		return status;
-	while (!status && !convert->ended)
-		status = feed(convert, fault);
-	convert->plan.store = &convert->reader.store;
-	return status ? status : store_close(&convert->reader.store, fault);
+	status = skim_appearances(
+		convert->document.input, &parts, &result, fault);
+	if (!status && result == SKIM_PARTS) {
+		status = feed_all(convert, &parts, fault);
+		if (status == TCS_BAD_INPUT) {
+			store_release(&reader->store);
+			report_clear(&reader->report);
+			result = SKIM_UNSURE;
+			status = TCS_OK;
+		}
+	}
+	if (!status && result == SKIM_UNSURE)
+		status = feed_all(convert, NULL, fault);
+	parts_release(&parts);
+	convert->plan.store = &reader->store;
+	return status ? status : store_close(&reader->store, fault);
 }
 
 static enum tcs_status
 run_phase(struct convert *convert, enum convert_phase phase,
-	struct tcs_fault *fault)
+	const struct document_parts *parts, struct tcs_fault *fault)
 {
 	const struct crew_plan plan = {
 		.context = convert,
@@ -385,41 +356,88 @@ run_phase(struct convert *convert, enum convert_phase phase,
 		.work = convert_work,
 		.write = convert_write,
 	};
-	enum tcs_status status = start_pass(convert, PASS_OBJECTS, fault);
+	enum tcs_status status =
+		document_start(&convert->document, PASS_OBJECTS, parts, fault);
 
 	convert->phase = phase;
 	return status ? status : crew_run(&plan, convert->command->jobs, fault);
 }
 
+static int
+compare_hashes(const void *a, const void *b)
+{
+	uint64_t one, two;
+
+	memcpy(&one, a, sizeof one);
+	memcpy(&two, b, sizeof two);
+	return one < two ? -1 : one > two;
+}
+
+/* Where the wanted ids may be, and the deferred objects. */
+static enum tcs_status
+parts_find(struct convert *convert, struct document_parts *wanted,
+	struct document_parts *deferred, struct tcs_fault *fault)
+{
+	size_t count = convert->library.wanted.count;
+	uint64_t *hashes = malloc((count + 1) * sizeof *hashes);
+	const struct place_query query = {
+		hashes, count, convert->deferred.at, convert->deferred.count};
+	enum tcs_status status;
+
+	if (!hashes)
+		return fault_memory(fault);
+	for (size_t i = 0; i < count; i++)
+		hashes[i] = key_hash(convert->library.wanted.at[i]);
+	qsort(hashes, count, sizeof *hashes, compare_hashes);
+	wanted->head_end = deferred->head_end =
+		convert->document.reader.head_end;
+	status = places_select(
+		&convert->places, &query, wanted, deferred, fault);
+	free(hashes);
+	return status;
+}
+
+/* What the deferred objects link to, then these. */
 static enum tcs_status
 run_deferred(struct convert *convert, struct tcs_fault *fault)
 {
-	enum tcs_status status;
+	struct document_parts wanted = {0}, deferred = {0};
+	bool all = convert->places.unknown;
+	enum tcs_status status = TCS_OK;
 
 	library_sort(&convert->library);
-	status = run_phase(convert, PHASE_COLLECT, fault);
+	if (!all)
+		status = parts_find(convert, &wanted, &deferred, fault);
+	if (!status)
+		status = run_phase(
+			convert, PHASE_COLLECT, all ? NULL : &wanted, fault);
 	if (!status)
 		status = library_close(&convert->library, fault);
 	convert->plan.library = &convert->library;
-	return status ? status : run_phase(convert, PHASE_DEFERRED, fault);
+	if (!status)
+		status = run_phase(
+			convert, PHASE_DEFERRED, all ? NULL : &deferred, fault);
+	parts_release(&wanted);
+	parts_release(&deferred);
+	return status;
 }
 
 static enum tcs_status
 run_all(struct convert *convert, struct tcs_fault *fault)
 {
-	enum tcs_status status = input_spool(convert->input, fault);
+	enum tcs_status status = input_spool(convert->document.input, fault);
 
 	if (!status)
 		status = read_appearances(convert, fault);
 	if (!status)
-		status = run_phase(convert, PHASE_WRITE, fault);
+		status = run_phase(convert, PHASE_WRITE, NULL, fault);
 	if (!status)
 		status = prepare_head(convert, NULL, fault);
 	if (!status && !convert->head_written)
 		status = write_head(convert, fault);
 	if (!status)
-		status = report_merge(
-			convert->report, &convert->reader.report, fault);
+		status = report_merge(convert->report,
+			&convert->document.reader.report, fault);
 	if (!status && convert->deferred.count)
 		status = run_deferred(convert, fault);
 	if (!status && convert->command->strict)
@@ -443,7 +461,8 @@ convert_begin(struct convert *convert, FILE *file, struct tcs_fault *fault)
 	convert->slot_count = crew_slots(jobs);
 	convert->slots = calloc(convert->slot_count, sizeof *convert->slots);
 	convert->builders = calloc(jobs, sizeof *convert->builders);
-	status = gml_begin(&convert->reader, &convert->options->reading, fault);
+	status = gml_begin(
+		&convert->document.reader, &convert->options->reading, fault);
 	if (!status && (!convert->slots || !convert->builders))
 		status = fault_memory(fault);
 	for (unsigned i = 0; !status && i < jobs; i++)
@@ -466,13 +485,15 @@ convert_end(struct convert *convert)
 		array_release(&convert->slots[i].prototypes);
 		slot_forget(&convert->slots[i]);
 		array_release(&convert->slots[i].missing);
+		array_release(&convert->slots[i].hashes);
 	}
 	free(convert->slots);
 	for (unsigned i = 0; convert->builders && i < convert->command->jobs;
 		i++)
 		builder_release(&convert->builders[i]);
 	free(convert->builders);
-	gml_release(&convert->reader);
+	gml_release(&convert->document.reader);
+	places_release(&convert->places);
 	library_release(&convert->library);
 	array_release(&convert->deferred);
 	record_release(&convert->head);
@@ -489,7 +510,7 @@ citygml_convert(struct input *input, FILE *file,
 
 	if (!convert)
 		return fault_memory(fault);
-	convert->input = input;
+	convert->document.input = input;
 	convert->options = options;
 	convert->command = command;
 	convert->report = report;

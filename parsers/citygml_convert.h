@@ -5,7 +5,8 @@
  * Pass by pass: global appearances first, if a quick look finds any; then the
  * objects, written as they come. Objects that link to other top-level features
  * wait: one pass collects what they link to, one more writes them, after all
- * others.
+ * others. All but the second read only those parts of the document that they
+ * need, wherever these are known.
  */
 #ifndef TESSERA_CITYGML_CONVERT_H
 #define TESSERA_CITYGML_CONVERT_H

@@ -60,7 +60,7 @@ template_end(struct gml_reader *reader, struct tcs_fault *fault)
 	id = object_text(&raw->tree, raw->geometries.at[geometry].id);
 	if (!*id) {
 		snprintf(place, sizeof place, "\n%llu.%u",
-			(unsigned long long)raw->number, geometry);
+			(unsigned long long)raw->place.number, geometry);
 		id = place;
 	}
 	status = keys_add(

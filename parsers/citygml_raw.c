@@ -50,7 +50,7 @@ raw_clear(struct raw_object *raw)
 	array_clear(&raw->instances);
 	report_clear(&raw->report);
 	palette_clear(&raw->palette);
-	raw->number = 0;
+	raw->place = (struct raw_place){0};
 	raw->has_links = raw->waits = false;
 	raw->next = NULL;
 }

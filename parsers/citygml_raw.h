@@ -129,6 +129,16 @@ struct raw_texmatrix {
 	double at[12];
 };
 
+#define MEMBER_TAG_MAX 1000 /* bytes of a tag whose place is kept */
+
+/* Where a feature stands in the bytes of the document. */
+struct raw_place {
+	uint64_t member, member_end; /* the start tag around it; equal: none */
+	uint64_t at, end; /* end is 0 where the place is not known */
+	uint64_t number; /* counts top-level features of the file, from 0 */
+	uint64_t line; /* of its first byte */
+};
+
 struct raw_object {
 	struct tcs_object tree; /* text, features, attributes, relations */
 	TCS_ARRAY(char) positions;
@@ -145,7 +155,7 @@ struct raw_object {
 	TCS_ARRAY(struct raw_instance) instances;
 	struct report report; /* what the parser left out */
 	struct tcs_palette palette; /* new entries to write before it */
-	uint64_t number; /* counts top-level features of the file, from 0 */
+	struct raw_place place;
 	bool has_links; /* a member links */
 	bool waits; /* an instance links to a template not known yet */
 	struct raw_object *next; /* of a list of ready or spare ones */

@@ -256,12 +256,23 @@ bounds_end(struct gml_reader *reader, const struct frame *frame)
 /* ---- the model and its members -------------------------------------------- */
 
 static enum tcs_status
+model_begin(
+	struct gml_reader *reader, struct name *name, struct tcs_fault *fault)
+{
+	struct xml_stretch tag;
+
+	xml_place_tag(reader->xml, &tag);
+	reader->head_end = tag.end;
+	return gml_push(reader, name, ROLE_MODEL, NULL, fault);
+}
+
+static enum tcs_status
 root_start(struct gml_reader *reader, struct name *name,
 	const struct xml_attribute *attributes, size_t count,
 	struct tcs_fault *fault)
 {
 	if (name->kind == NAME_CITY_MODEL)
-		return gml_push(reader, name, ROLE_MODEL, NULL, fault);
+		return model_begin(reader, name, fault);
 	if (name->kind == NAME_FEATURE && reader->pass == PASS_APPEARANCES)
 		return gml_skip(reader);
 	if (name->kind == NAME_FEATURE)
@@ -299,6 +310,17 @@ member_link(struct gml_reader *reader, const struct xml_attribute *attributes,
 		reader, "member", "a link, not followed", target, fault);
 }
 
+/* Where it stands, unless its tag is too long for any use of that. */
+static void
+member_place(struct gml_reader *reader)
+{
+	struct xml_stretch *tag = &reader->member;
+
+	if (!xml_place_tag(reader->xml, tag) ||
+		tag->end - tag->at > MEMBER_TAG_MAX)
+		*tag = (struct xml_stretch){0};
+}
+
 /* In the appearances' pass only global appearances are read. */
 static enum tcs_status
 model_child(struct gml_reader *reader, struct name *name,
@@ -314,6 +336,7 @@ model_child(struct gml_reader *reader, struct name *name,
 		return gml_skip(reader);
 	switch (name->kind) {
 	case NAME_MEMBER:
+		member_place(reader);
 		status = member_link(reader, attributes, count, fault);
 		if (status)
 			return status;
@@ -521,6 +544,8 @@ gml_start_pass(
 		return fault_memory(fault);
 	raw_free(reader->raw);
 	reader->raw = NULL;
+	reader->head_end = 0;
+	reader->member = (struct xml_stretch){0};
 	reader->objects = 0;
 	reader->object_bytes = 0;
 	reader->frames.at[0] = (struct frame){
@@ -580,6 +605,8 @@ gml_recycle(struct gml_reader *reader, struct raw_object *raw)
 enum tcs_status
 gml_open_object(struct gml_reader *reader, struct tcs_fault *fault)
 {
+	struct xml_stretch tag;
+
 	reader->raw = reader->spare ? reader->spare : raw_new();
 	if (!reader->raw)
 		return fault_memory(fault);
@@ -588,14 +615,30 @@ gml_open_object(struct gml_reader *reader, struct tcs_fault *fault)
 	reader->raw->next = NULL;
 	if (array_grow(&reader->raw->positions, 64))
 		return fault_memory(fault);
-	reader->raw->number = reader->objects++;
+	xml_place_tag(reader->xml, &tag);
+	reader->raw->place = (struct raw_place){
+		.member = reader->member.at,
+		.member_end = reader->member.end,
+		.at = tag.at,
+		.line = tag.line,
+		.number = reader->objects++,
+	};
 	reader->object_srs = TCS_NONE;
 	return TCS_OK;
 }
 
 void
+gml_move(struct gml_reader *reader, uint64_t at, uint64_t line, uint64_t number)
+{
+	xml_move(reader->xml, at, (uint32_t)line);
+	reader->objects = number;
+}
+
+void
 gml_close_object(struct gml_reader *reader)
 {
+	if (reader->head_end && reader->member.end)
+		xml_place_end(reader->xml, &reader->raw->place.end);
 	*reader->ready_end = reader->raw;
 	reader->ready_end = &reader->raw->next;
 	reader->raw = NULL;

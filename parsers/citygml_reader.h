@@ -108,6 +108,8 @@ struct gml_reader {
 	struct raw_object *spare;
 	uint64_t objects; /* top-level features begun */
 	uint64_t object_bytes; /* fed since the one being read began */
+	uint64_t head_end; /* behind the start tag of the model; 0: unknown */
+	struct xml_stretch member; /* the start tag of the one being read */
 
 	/* the model */
 	TCS_ARRAY(struct gml_srs) systems;
@@ -149,6 +151,13 @@ enum tcs_status gml_start_pass(struct gml_reader *reader, enum gml_pass pass,
 /* The next bytes of the document; length 0 ends it. */
 enum tcs_status gml_feed(struct gml_reader *reader, const char *bytes,
 	size_t length, struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * The bytes fed from now on stand here in the document, and the features in
+ * them count from this number.
+ */
+void gml_move(
+	struct gml_reader *reader, uint64_t at, uint64_t line, uint64_t number);
 
 /* The next complete object, or NULL; give it back with gml_recycle. */
 struct raw_object *gml_take(struct gml_reader *reader);

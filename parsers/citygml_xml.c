@@ -29,6 +29,7 @@ struct xml_parser {
 	unsigned skipped; /* of these, in a subtree that is skipped */
 	TCS_ARRAY(char) held; /* to be parsed together with more */
 	struct tag_scan scan;
+	uint64_t fed; /* where the bytes end that libxml2 has got */
 };
 
 static void
@@ -264,6 +265,55 @@ xml_line(const struct xml_parser *parser)
 	return (uint32_t)parser->context->input->line;
 }
 
+/* ---- places ---------------------------------------------------------------- */
+
+/* The input of a context that takes bytes as they come; else NULL. */
+static const xmlParserInput *
+xml_input_as_fed(const struct xml_parser *parser)
+{
+	const xmlParserInput *input =
+		parser->context ? parser->context->input : NULL;
+
+	return input && input->buf && !input->buf->encoder ? input : NULL;
+}
+
+bool
+xml_place_end(const struct xml_parser *parser, uint64_t *end)
+{
+	const xmlParserInput *input = xml_input_as_fed(parser);
+
+	*end = input ? parser->fed - (uint64_t)(input->end - input->cur) : 0;
+	return input;
+}
+
+/* The parser stands before the end of the tag; no value of it has a '<'. */
+bool
+xml_place_tag(const struct xml_parser *parser, struct xml_stretch *tag)
+{
+	const xmlParserInput *input = xml_input_as_fed(parser);
+	const xmlChar *first;
+
+	*tag = (struct xml_stretch){0};
+	if (!input)
+		return false;
+	tag->line = xml_line(parser);
+	for (first = input->cur; first > input->base && *first != '<'; first--)
+		tag->line -= *first == '\n';
+	tag->end = parser->fed - (uint64_t)(input->end - input->cur) + 1;
+	tag->at = tag->end - 1 - (uint64_t)(input->cur - first);
+	return true;
+}
+
+void
+xml_move(struct xml_parser *parser, uint64_t at, uint32_t line)
+{
+	parser->fed = at;
+	if (parser->context && parser->context->input)
+		parser->context->input->line = (int)line;
+}
+
+/* ---- bytes ------------------------------------------------------------------ */
+
 /* The context takes its first bytes at once, to see the encoding. */
 static enum tcs_status
 xml_begin(struct xml_parser *parser, const char *bytes, int length)
@@ -274,6 +324,7 @@ xml_begin(struct xml_parser *parser, const char *bytes, int length)
 		&callbacks, parser, bytes, length, NULL);
 	if (!parser->context)
 		return fault_memory(&parser->fault);
+	parser->fed += (uint64_t)length;
 	xmlCtxtUseOptions(parser->context,
 		XML_PARSE_HUGE | XML_PARSE_NONET | XML_PARSE_NOENT);
 	return TCS_OK;
@@ -367,6 +418,18 @@ xml_check_names(struct xml_parser *parser)
 		xml_line(parser), MAX_NAMES);
 }
 
+/* A carriage return at the end of a chunk is kept back while it is parsed. */
+static void
+xml_parse_part(
+	struct xml_parser *parser, const char *bytes, int length, bool end)
+{
+	bool kept = length && !end && bytes[length - 1] == '\r';
+
+	parser->fed += (uint64_t)(length - kept);
+	xmlParseChunk(parser->context, bytes, length, end);
+	parser->fed += kept;
+}
+
 static enum tcs_status
 xml_parse(
 	struct xml_parser *parser, const char *bytes, size_t length, bool last)
@@ -375,7 +438,7 @@ xml_parse(
 		int part = length > INT_MAX / 2 ? INT_MAX / 2 : (int)length;
 		bool end = last && (size_t)part == length;
 
-		xmlParseChunk(parser->context, bytes, part, end);
+		xml_parse_part(parser, bytes, part, end);
 		if (!parser->status && !parser->context->wellFormed)
 			parser->status = xml_malformed(parser);
 		if (!parser->status)

@@ -59,4 +59,21 @@ enum tcs_status xml_feed(struct xml_parser *parser, const char *bytes,
 /* The line being parsed, from 1. */
 uint32_t xml_line(const struct xml_parser *parser);
 
+/* A stretch of the document's bytes. */
+struct xml_stretch {
+	uint64_t at, end; /* its first byte, and behind its last */
+	uint32_t line; /* of its first byte */
+};
+
+/*
+ * Within `start`: where the tag stands. Within `end`: only the byte behind the
+ * element. False, with zeros, where bytes are not taken as they come but
+ * converted to UTF-8 first.
+ */
+bool xml_place_tag(const struct xml_parser *parser, struct xml_stretch *tag);
+bool xml_place_end(const struct xml_parser *parser, uint64_t *end);
+
+/* The bytes fed from now on stand here in the document. */
+void xml_move(struct xml_parser *parser, uint64_t at, uint32_t line);
+
 #endif

@@ -194,6 +194,32 @@ a_file_reads_twice_and_knows_its_size(void)
 }
 
 static void
+reading_goes_on_anywhere(void)
+{
+	static const size_t places[] = {0, PLAIN - 7, 300000, 299990, 12};
+	struct input input;
+	struct tcs_fault fault;
+	size_t length;
+
+	for (int i = 0; i < 2; i++) {
+		store(i ? packed : plain, i ? packed_length : PLAIN, NULL, 0);
+		CHECK(!input_open(&input, name, &fault));
+		for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+			size_t at = places[k];
+
+			CHECK(!input_seek(&input, at, &fault));
+			CHECK(input.at == at);
+			CHECK(!input_read(&input, arrived, 5, &length, &fault));
+			CHECK(length && !memcmp(arrived, plain + at, length));
+		}
+		CHECK(!input_rewind(&input, &fault));
+		CHECK(!read_all(&input, 4096, arrived, &length, &fault));
+		CHECK(length == PLAIN && !memcmp(arrived, plain, PLAIN));
+		input_close(&input);
+	}
+}
+
+static void
 a_limit_counts_what_is_delivered(void)
 {
 	struct input input;
@@ -254,6 +280,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(a_changed_byte_is_noticed),
 	CHECK_TEST(an_empty_file_and_a_single_byte_are_plain),
 	CHECK_TEST(a_file_reads_twice_and_knows_its_size),
+	CHECK_TEST(reading_goes_on_anywhere),
 	CHECK_TEST(a_limit_counts_what_is_delivered),
 	CHECK_TEST(standard_input_may_be_a_pipe),
 	CHECK_TEST(what_cannot_be_read_says_why),

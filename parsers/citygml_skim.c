@@ -1,0 +1,372 @@
+#include "citygml_skim.h"
+
+#include <string.h>
+#include <strings.h>
+
+enum {
+	SKIM_CHUNK = 64 * 1024,
+	TOKEN_MAX = 1024 * 1024, /* bytes of a tag or comment */
+};
+
+/* ---- a quick look ----------------------------------------------------------- */
+
+/* "appearanceMember", found by its rarest letter. */
+static bool
+names_appearances(const char *at, size_t length)
+{
+	static const char before[] = "appearance", after[] = "ember";
+	const size_t ahead = sizeof before - 1, behind = sizeof after - 1;
+	const char *end = at + length;
+
+	if (length <= ahead + behind)
+		return false;
+	for (at += ahead; at < end - behind; at++) {
+		at = memchr(at, 'M', (size_t)(end - behind - at));
+		if (!at)
+			return false;
+		if (!memcmp(at - ahead, before, ahead) &&
+			!memcmp(at + 1, after, behind))
+			return true;
+	}
+	return false;
+}
+
+TCS_ARRAY_TYPE(skim_bytes, char);
+
+/* Append bytes of the input; *got is false at its end. */
+static enum tcs_status
+bytes_read(struct skim_bytes *bytes, struct input *input, bool *got,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status;
+	size_t count;
+
+	if (array_grow(bytes, SKIM_CHUNK))
+		return fault_memory(fault);
+	status = input_read(
+		input, bytes->at + bytes->count, SKIM_CHUNK, &count, fault);
+	bytes->count += count;
+	*got = count;
+	return status;
+}
+
+static void
+bytes_drop(struct skim_bytes *bytes, size_t count)
+{
+	memmove(bytes->at, bytes->at + count, bytes->count - count);
+	bytes->count -= count;
+}
+
+/* Text in UTF-16, told by its NULs, gets the benefit of the doubt. */
+static enum tcs_status
+look_quickly(struct skim_bytes *bytes, struct input *input, bool *found,
+	struct tcs_fault *fault)
+{
+	const size_t overlap = 16;
+	bool got = true;
+
+	*found = false;
+	while (got && !*found) {
+		enum tcs_status status;
+
+		if (bytes->count > overlap)
+			bytes_drop(bytes, bytes->count - overlap);
+		status = bytes_read(bytes, input, &got, fault);
+		if (status)
+			return status;
+		*found = names_appearances(bytes->at, bytes->count) ||
+			memchr(bytes->at, 0, bytes->count);
+	}
+	return TCS_OK;
+}
+
+/* ---- markup ----------------------------------------------------------------- */
+
+struct skim {
+	struct skim_bytes bytes; /* from byte `at` of the document on */
+	struct document_parts *parts;
+	uint64_t at;
+	uint64_t line; /* of byte `at` + `counted` */
+	size_t counted;
+	uint64_t depth; /* open elements */
+	bool joins; /* nothing but text since the last part */
+	bool within; /* a part */
+	bool unsure;
+};
+
+/* Behind this text, or NULL when it does not come. */
+static const char *
+behind(const char *at, const char *end, const char *text)
+{
+	size_t length = strlen(text);
+
+	for (; (size_t)(end - at) >= length; at++) {
+		at = memchr(at, *text, (size_t)(end - at) - length + 1);
+		if (!at)
+			return NULL;
+		if (!memcmp(at, text, length))
+			return at + length;
+	}
+	return NULL;
+}
+
+static bool
+begins(const char *at, const char *end, const char *text)
+{
+	size_t length = strlen(text);
+
+	return (size_t)(end - at) >= length && !memcmp(at, text, length);
+}
+
+/* Behind the '>' of a start tag; a value may have that too. */
+static const char *
+behind_start_tag(const char *at, const char *end)
+{
+	for (;;) {
+		const char *tag_end = memchr(at, '>', (size_t)(end - at));
+		const char *quote;
+
+		if (!tag_end)
+			return NULL;
+		for (quote = at; *quote != '"' && *quote != '\''; quote++)
+			if (quote == tag_end)
+				return tag_end + 1;
+		at = memchr(quote + 1, *quote, (size_t)(end - quote - 1));
+		if (!at)
+			return NULL;
+		at++;
+	}
+}
+
+/* Behind a comment or a CDATA section; a document type is too much. */
+static const char *
+behind_declaration(struct skim *skim, const char *at, const char *end)
+{
+	static const char comment[] = "<!--", data[] = "<![CDATA[";
+
+	if (begins(at, end, comment))
+		return behind(at + 4, end, "-->");
+	if (begins(at, end, data))
+		return behind(at + 9, end, "]]>");
+	skim->unsure = (size_t)(end - at) >= sizeof data;
+	return NULL;
+}
+
+/* ---- parts ------------------------------------------------------------------- */
+
+static void
+lines_count(struct skim *skim, size_t upto)
+{
+	const char *at = skim->bytes.at + skim->counted;
+	const char *end = skim->bytes.at + upto;
+
+	while ((at = memchr(at, '\n', (size_t)(end - at)))) {
+		skim->line++;
+		at++;
+	}
+	skim->counted = upto;
+}
+
+static bool
+is_appearance_member(const char *tag)
+{
+	size_t length = strcspn(tag, " \t\r\n/>");
+	const char *colon = memchr(tag, ':', length);
+	const char *local = colon ? colon + 1 : tag;
+
+	length -= (size_t)(local - tag);
+	return length == 16 && !memcmp(local, "appearanceMember", length);
+}
+
+static enum tcs_status
+part_begin(struct skim *skim, const char *at, struct tcs_fault *fault)
+{
+	size_t offset = (size_t)(at - skim->bytes.at);
+	struct document_parts *parts = skim->parts;
+
+	skim->within = true;
+	if (skim->joins)
+		return TCS_OK;
+	if (array_grow(&parts->places, 1))
+		return fault_memory(fault);
+	lines_count(skim, offset);
+	parts->places.at[parts->places.count++] =
+		(struct raw_place){.at = skim->at + offset, .line = skim->line};
+	return TCS_OK;
+}
+
+/* An element at the model's depth ended, or another one begins there. */
+static void
+part_end(struct skim *skim, const char *behind_tag)
+{
+	struct document_parts *parts = skim->parts;
+
+	if (skim->within)
+		parts->places.at[parts->places.count - 1].end =
+			skim->at + (uint64_t)(behind_tag - skim->bytes.at);
+	skim->joins = skim->within;
+	skim->within = false;
+}
+
+static enum tcs_status
+start_tag(struct skim *skim, const char *at, const char *behind_tag,
+	struct tcs_fault *fault)
+{
+	bool empty = behind_tag[-2] == '/';
+	enum tcs_status status = TCS_OK;
+
+	if (skim->depth == 0) {
+		skim->unsure |= skim->parts->head_end > 0;
+		skim->parts->head_end =
+			skim->at + (uint64_t)(behind_tag - skim->bytes.at);
+	}
+	if (skim->depth == 1 && is_appearance_member(at + 1))
+		status = part_begin(skim, at, fault);
+	if (!empty)
+		skim->depth++;
+	else if (skim->depth == 1)
+		part_end(skim, behind_tag);
+	return status;
+}
+
+static void
+end_tag(struct skim *skim, const char *behind_tag)
+{
+	skim->unsure |= skim->depth == 0;
+	skim->depth--;
+	if (skim->depth == 1)
+		part_end(skim, behind_tag);
+}
+
+/* One piece of markup from its '<': *next is NULL when it is not complete. */
+static enum tcs_status
+markup(struct skim *skim, const char *at, const char *end, const char **next,
+	struct tcs_fault *fault)
+{
+	*next = NULL;
+	if (end - at < 2)
+		return TCS_OK;
+	switch (at[1]) {
+	case '/':
+		*next = memchr(at, '>', (size_t)(end - at));
+		if (*next)
+			end_tag(skim, ++*next);
+		return TCS_OK;
+	case '!':
+		*next = behind_declaration(skim, at, end);
+		return TCS_OK;
+	case '?':
+		*next = behind(at + 2, end, "?>");
+		return TCS_OK;
+	default:
+		*next = behind_start_tag(at, end);
+		return *next ? start_tag(skim, at, *next, fault) : TCS_OK;
+	}
+}
+
+/* All complete markup of the bytes, which are dropped. */
+static enum tcs_status
+bytes_skim(struct skim *skim, struct tcs_fault *fault)
+{
+	const char *first = skim->bytes.at;
+	const char *end = first + skim->bytes.count;
+	const char *at = first, *next = at;
+	enum tcs_status status = TCS_OK;
+	size_t done;
+
+	while (!status && !skim->unsure && next) {
+		at = memchr(next, '<', (size_t)(end - next));
+		if (!at)
+			at = end;
+		next = NULL;
+		if (at < end)
+			status = markup(skim, at, end, &next, fault);
+	}
+	done = (size_t)(at - first);
+	lines_count(skim, done);
+	skim->counted = 0;
+	skim->at += done;
+	bytes_drop(&skim->bytes, done);
+	skim->unsure |= skim->bytes.count > TOKEN_MAX;
+	return status;
+}
+
+/* ---- encodings ---------------------------------------------------------------- */
+
+/* Whether the bytes of ASCII stand for themselves, and only for them. */
+static bool
+is_like_ascii(const char *name)
+{
+	static const char *const known[] = {
+		"UTF-8", "US-ASCII", "ASCII", "ISO-8859-", "windows-125"};
+
+	for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+		if (!strncasecmp(name, known[i], strlen(known[i])))
+			return true;
+	return false;
+}
+
+/* From the XML declaration; without one it is UTF-8, or has NULs. */
+static bool
+bytes_are_like_ascii(const struct skim_bytes *bytes)
+{
+	const char *at = bytes->at, *end = at + bytes->count;
+	const char *name;
+	char text[64] = "";
+
+	if (begins(at, end, "\xef\xbb\xbf"))
+		at += 3;
+	if (memchr(at, 0, (size_t)(end - at)))
+		return false;
+	if (!begins(at, end, "<?xml"))
+		return true;
+	end = behind(at, end, "?>");
+	if (!end)
+		return false;
+	name = behind(at, end, "encoding");
+	if (!name)
+		return true;
+	name += strspn(name, " \t\r\n=\"'");
+	for (size_t i = 0; i < sizeof text - 1 && name + i < end; i++)
+		text[i] = name[i];
+	return is_like_ascii(text);
+}
+
+/* ---- all of it ---------------------------------------------------------------- */
+
+static enum tcs_status
+look_closely(struct skim *skim, struct input *input, struct tcs_fault *fault)
+{
+	enum tcs_status status = input_rewind(input, fault);
+	bool got = true, first = true;
+
+	skim->bytes.count = 0;
+	while (!status && got && !skim->unsure) {
+		status = bytes_read(&skim->bytes, input, &got, fault);
+		if (first && !status)
+			skim->unsure = !bytes_are_like_ascii(&skim->bytes);
+		first = false;
+		if (!status)
+			status = bytes_skim(skim, fault);
+	}
+	skim->unsure |= skim->depth > 0 || skim->bytes.count;
+	return status;
+}
+
+enum tcs_status
+skim_appearances(struct input *input, struct document_parts *parts,
+	enum skim_result *result, struct tcs_fault *fault)
+{
+	struct skim skim = {.parts = parts, .line = 1};
+	enum tcs_status status;
+	bool found;
+
+	*result = SKIM_NONE;
+	status = look_quickly(&skim.bytes, input, &found, fault);
+	if (!status && found) {
+		status = look_closely(&skim, input, fault);
+		*result = skim.unsure ? SKIM_UNSURE : SKIM_PARTS;
+	}
+	array_release(&skim.bytes);
+	return status;
+}
