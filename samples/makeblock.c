@@ -217,12 +217,17 @@ choose(struct block *block, unsigned seed)
 }
 
 static void
-building_write_parts(struct block *block)
+building_open(struct block *block)
 {
 	char id[GML_ID];
 
 	snprintf(id, sizeof id, "K%u", block->building + 1);
 	gml_member_open(block->gml, "bldg:Building", id);
+}
+
+static void
+building_write_parts(struct block *block)
+{
 	box_write(block, "slab", (struct local){0, 0, 0},
 		(struct local){24, 14, 0.3});
 	house_write(block);
@@ -232,12 +237,11 @@ building_write_parts(struct block *block)
 	windows_write(block);
 	railing_write(block);
 	stairs_write(block);
-	gml_member_close(block->gml, "bldg:Building");
 }
 
 static enum tcs_status
 run(const struct command *command, unsigned buildings, unsigned seed,
-	struct tcs_fault *fault)
+	bool together, struct tcs_fault *fault)
 {
 	static struct gml gml;
 	static struct shape shape;
@@ -255,8 +259,12 @@ run(const struct command *command, unsigned buildings, unsigned seed,
 	gml.version = 2;
 	gml_begin(&gml, low, high);
 	for (; block.building < buildings; block.building++) {
+		if (!together || !block.building)
+			building_open(&block);
 		choose(&block, seed);
 		building_write_parts(&block);
+		if (!together || block.building + 1 == buildings)
+			gml_member_close(&gml, "bldg:Building");
 	}
 	gml_end(&gml);
 	status = gml_flush(&gml, fault);
@@ -270,10 +278,14 @@ int
 main(int argc, char **argv)
 {
 	unsigned buildings = 10, seed = 0;
+	bool together = false;
 	const struct option_row rows[] = {
 		{OPTION_UNSIGNED, 0, "buildings", "N",
 			"how many buildings (default 10)", &buildings, 1,
 			100000, NULL},
+		{OPTION_FLAG, 0, "together", NULL,
+			"one building that has the parts of all", &together, 0,
+			0, NULL},
 		{OPTION_UNSIGNED, 0, "seed", "N", "other buildings", &seed, 0,
 			1000000, NULL},
 		{0},
@@ -289,7 +301,7 @@ main(int argc, char **argv)
 	int code = EXIT_DONE;
 
 	program_begin(&program, argc, argv, &command);
-	if (run(&command, buildings, seed, &fault))
+	if (run(&command, buildings, seed, together, &fault))
 		code = program_fail(&command, &fault);
 	program_end(&command);
 	return code;
