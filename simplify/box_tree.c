@@ -49,15 +49,6 @@ box_gap_squared(const struct box *a, const struct box *b)
 }
 
 double
-box_distance_squared(const struct box *box, struct tcs_point point)
-{
-	struct box at = {
-		{point.x, point.y, point.z}, {point.x, point.y, point.z}};
-
-	return box_gap_squared(box, &at);
-}
-
-double
 box_diagonal(const struct box *box)
 {
 	double sum = 0;
@@ -280,6 +271,32 @@ box_tree_release(struct box_tree *tree)
 {
 	array_release(&tree->nodes);
 	array_release(&tree->items);
+}
+
+/* ---- what is near a box -------------------------------------------------- */
+
+void
+box_tree_near(const struct box_tree *tree, uint32_t root, const struct box *box,
+	double reach, box_visit *visit, void *context)
+{
+	uint32_t stack[BOX_TREE_STACK];
+	size_t height = 0;
+
+	stack[height++] = root;
+	while (height > 0) {
+		const struct box_node *node = &tree->nodes.at[stack[--height]];
+
+		if (box_gap_squared(&node->box, box) > reach * reach)
+			continue;
+		if (!node->count) {
+			assert(height + 2 <= BOX_TREE_STACK);
+			stack[height++] = node->first + 1;
+			stack[height++] = node->first;
+		}
+		for (uint32_t i = 0; i < node->count; i++)
+			if (!visit(context, node->first + i))
+				return;
+	}
 }
 
 /* ---- pairs --------------------------------------------------------------- */

@@ -33,9 +33,25 @@ void box_add_point(struct box *box, struct tcs_point point);
 void box_add(struct box *box, const struct box *other);
 /* The distance between two boxes, squared; 0 where they overlap. */
 double box_gap_squared(const struct box *a, const struct box *b);
-/* The distance of a point from a box, squared; 0 inside. */
-double box_distance_squared(const struct box *box, struct tcs_point point);
 double box_diagonal(const struct box *box); /* 0 for an empty one */
+
+/* The distance of a point from a box, squared; 0 inside. */
+static inline double
+box_distance_squared(const struct box *box, struct tcs_point point)
+{
+	const double at[3] = {point.x, point.y, point.z};
+	double sum = 0;
+
+	for (int i = 0; i < 3; i++) {
+		double below = box->low[i] - at[i],
+		       above = at[i] - box->high[i];
+		double gap = below > above ? below : above;
+
+		gap = gap > 0 ? gap : 0;
+		sum += gap * gap;
+	}
+	return sum;
+}
 
 #define BOX_TREE_DEPTH 80
 #define BOX_TREE_STACK (2 * BOX_TREE_DEPTH + 2) /* of a walk down one tree */
@@ -61,6 +77,13 @@ enum tcs_status box_tree_add(struct box_tree *tree, const struct box *boxes,
 	const uint32_t *items, size_t count, uint32_t *root,
 	struct tcs_fault *fault) TCS_CHECKED;
 void box_tree_release(struct box_tree *tree);
+
+/* One item, as its position in `items`. False ends the walk. */
+typedef bool box_visit(void *context, uint32_t position);
+
+/* Visit every item whose leaf's box is not farther than `reach` from `box`. */
+void box_tree_near(const struct box_tree *tree, uint32_t root,
+	const struct box *box, double reach, box_visit *visit, void *context);
 
 /* One pair, as positions in `items`. False ends the walk. */
 typedef bool box_pair_visit(void *context, uint32_t a, uint32_t b);

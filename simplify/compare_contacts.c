@@ -3,18 +3,16 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "vector.h"
+#include "compare_seam.h"
+#include "split_work.h"
+
+enum { CONTACTS_AT_ONCE = 32, COMPONENTS_AT_ONCE = 32 };
 
 struct judge {
 	const struct compare_side *before, *after;
 	const struct compare_match *match;
 	double eps;
-};
-
-/* The images of one side of a contact. */
-struct images {
-	const uint32_t *at;
-	size_t count;
+	bool *still; /* per component before: moved by half an eps at most */
 };
 
 static struct images
@@ -79,127 +77,6 @@ least_gap(const struct judge *judge, struct images a, struct images b)
 	return least;
 }
 
-/* ---- seams --------------------------------------------------------------- */
-
-/* Points of the contact before, and how many of them gape after. */
-struct seam {
-	const struct judge *judge;
-	struct images a, b;
-	unsigned long points, gaping;
-};
-
-static struct tree_hit
-nearest_image(
-	const struct judge *judge, struct images images, struct tcs_point from)
-{
-	struct tree_hit best = {.distance = INFINITY};
-
-	for (size_t i = 0; i < images.count; i++) {
-		struct tree_hit hit =
-			triangle_tree_nearest(&judge->after->set.tree,
-				after_component(judge, images.at[i])->root,
-				from, best.distance);
-
-		if (hit.distance < best.distance)
-			best = hit;
-	}
-	return best;
-}
-
-static bool
-image_encloses(
-	const struct judge *judge, struct images images, struct tcs_point point)
-{
-	for (size_t i = 0; i < images.count; i++) {
-		const struct component *component =
-			after_component(judge, images.at[i]);
-
-		if (component->closed &&
-			triangle_tree_encloses(&judge->after->set.tree,
-				component->root, point))
-			return true;
-	}
-	return false;
-}
-
-/* From where one side went, how far the other is now. */
-static bool
-is_apart(const struct judge *judge, struct images from, struct images to,
-	struct tcs_point point)
-{
-	struct tcs_point at = nearest_image(judge, from, point).point;
-
-	return nearest_image(judge, to, at).distance > 2 * judge->eps &&
-		!image_encloses(judge, to, at);
-}
-
-static void
-add_seam_point(struct seam *seam, struct tcs_point point)
-{
-	seam->points++;
-	seam->gaping += is_apart(seam->judge, seam->a, seam->b, point) &&
-		is_apart(seam->judge, seam->b, seam->a, point);
-}
-
-/* The corners, the middles of the edges and the centre of one triangle, as far
-   as the other is in reach. */
-static void
-add_seam_points(struct seam *seam, const struct triangle_shape *shape,
-	const struct triangle_shape *other)
-{
-	const struct tcs_point *c = shape->corner;
-	const struct tcs_point points[] = {
-		c[0],
-		c[1],
-		c[2],
-		vector_scaled(vector_sum(c[0], c[1]), 0.5),
-		vector_scaled(vector_sum(c[1], c[2]), 0.5),
-		vector_scaled(vector_sum(c[2], c[0]), 0.5),
-		vector_scaled(
-			vector_sum(c[0], vector_sum(c[1], c[2])), 1.0 / 3),
-	};
-
-	for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
-		struct tcs_point at = triangle_nearest(other, points[i]);
-
-		if (vector_length(vector_difference(at, points[i])) <=
-			seam->judge->eps)
-			add_seam_point(seam, points[i]);
-	}
-}
-
-static bool
-visit_seam(void *context, uint32_t a, uint32_t b)
-{
-	struct seam *seam = context;
-	const struct triangle_tree *tree = &seam->judge->before->set.tree;
-	const struct triangle_shape *p = &tree->shapes.at[a];
-	const struct triangle_shape *q = &tree->shapes.at[b];
-	struct tcs_point points[2];
-
-	if (triangle_gap(p, q, points) > seam->judge->eps)
-		return true;
-	add_seam_point(seam, points[0]);
-	add_seam_points(seam, p, q);
-	add_seam_points(seam, q, p);
-	return true;
-}
-
-static bool
-is_half_open(const struct judge *judge, const struct contact *contact,
-	struct images a, struct images b)
-{
-	const struct component_set *set = &judge->before->set;
-	struct seam seam = {judge, a, b, 0, 0};
-
-	if (contact->inside)
-		return false;
-	box_tree_pairs(&set->tree.boxes, set->components.at[contact->a].root,
-		set->components.at[contact->b].root, judge->eps, visit_seam,
-		&seam);
-	return seam.points > 0 && 4 * seam.gaping >= seam.points;
-}
-
 static struct broken_contact
 judge_contact(const struct judge *judge, const struct contact *contact)
 {
@@ -210,29 +87,62 @@ judge_contact(const struct judge *judge, const struct contact *contact)
 
 	if (!a.count || !b.count)
 		return out;
+	out.state = CONTACT_KEPT;
+	out.gap = 0;
+	if (!contact->inside && judge->still[contact->a] &&
+		judge->still[contact->b])
+		return out;
 	out.gap = least_gap(judge, a, b);
 	if (out.gap > 2 * judge->eps)
 		out.state = CONTACT_SEPARATED;
-	else if (is_half_open(judge, contact, a, b))
+	else if (seam_is_half_open(judge->before, judge->after, contact, a, b,
+			 judge->eps))
 		out.state = CONTACT_HALF_OPEN;
-	else
-		out.state = CONTACT_KEPT;
 	return out;
 }
 
+static void
+find_still(void *context, size_t piece, size_t first, size_t end)
+{
+	const struct judge *judge = context;
+
+	(void)piece;
+	for (size_t i = first; i < end; i++)
+		judge->still[i] = component_is_still(judge->before, (uint32_t)i,
+			judge->after, images_of(judge, (uint32_t)i),
+			judge->eps / 2);
+}
+
+/* The judgements of all contacts. */
+struct verdicts {
+	const struct judge *judge;
+	struct broken_contact *at;
+};
+
+static void
+judge_some(void *context, size_t piece, size_t first, size_t end)
+{
+	const struct verdicts *verdicts = context;
+	const struct judge *judge = verdicts->judge;
+
+	(void)piece;
+	for (size_t i = first; i < end; i++)
+		verdicts->at[i] =
+			judge_contact(judge, &judge->before->contacts.at[i]);
+}
+
 static enum tcs_status
-judge_contacts(const struct judge *judge, struct compare_metrics *metrics,
+count_verdicts(const struct verdicts *verdicts, struct compare_metrics *metrics,
 	struct broken_list *broken, struct tcs_fault *fault)
 {
-	const struct contact_list *contacts = &judge->before->contacts;
 	static const enum compare_metric counts[] = {COMPARE_CONTACTS_KEPT,
 		COMPARE_CONTACTS_SEPARATED, COMPARE_CONTACTS_HALF_OPEN,
 		COMPARE_CONTACTS_LOST};
+	size_t count = verdicts->judge->before->contacts.count;
 
-	metrics->at[COMPARE_CONTACTS_BEFORE] = (double)contacts->count;
-	for (size_t i = 0; i < contacts->count; i++) {
-		struct broken_contact found =
-			judge_contact(judge, &contacts->at[i]);
+	metrics->at[COMPARE_CONTACTS_BEFORE] = (double)count;
+	for (size_t i = 0; i < count; i++) {
+		struct broken_contact found = verdicts->at[i];
 
 		metrics->at[counts[found.state]]++;
 		if (found.state == CONTACT_KEPT)
@@ -245,6 +155,25 @@ judge_contacts(const struct judge *judge, struct compare_metrics *metrics,
 		broken->at[broken->count++] = found;
 	}
 	return TCS_OK;
+}
+
+static enum tcs_status
+judge_contacts(const struct judge *judge, struct compare_metrics *metrics,
+	struct broken_list *broken, struct tcs_fault *fault)
+{
+	size_t count = judge->before->contacts.count;
+	struct verdicts verdicts = {
+		judge, calloc(count + 1, sizeof *verdicts.at)};
+	enum tcs_status status;
+
+	if (!verdicts.at)
+		return fault_memory(fault);
+	status = split_work(count, CONTACTS_AT_ONCE, judge->before->set.jobs,
+		judge_some, &verdicts, fault);
+	if (!status)
+		status = count_verdicts(&verdicts, metrics, broken, fault);
+	free(verdicts.at);
+	return status;
 }
 
 /* ---- what stands on the ground ------------------------------------------- */
@@ -379,13 +308,21 @@ compare_contacts(const struct compare_side *before, struct compare_side *after,
 	struct compare_metrics *metrics, struct broken_list *broken,
 	struct tcs_fault *fault)
 {
-	struct judge judge = {before, after, match, eps};
-	enum tcs_status status =
-		contacts_find(&after->set, 2 * eps, &after->contacts, fault);
+	size_t count = before->set.components.count;
+	struct judge judge = {before, after, match, eps,
+		calloc(count + 1, sizeof *judge.still)};
+	enum tcs_status status;
 
 	broken->count = 0;
+	if (!judge.still)
+		return fault_memory(fault);
+	status = contacts_find(&after->set, 2 * eps, &after->contacts, fault);
+	if (!status)
+		status = split_work(count, COMPONENTS_AT_ONCE, before->set.jobs,
+			find_still, &judge, fault);
 	if (!status)
 		status = judge_contacts(&judge, metrics, broken, fault);
+	free(judge.still);
 	if (!status)
 		status = judge_floating(&judge, metrics, fault);
 	if (!status)

@@ -1,24 +1,38 @@
 #include "compare_distance.h"
 
-#include <assert.h>
 #include <math.h>
+#include <stdlib.h>
 
+#include "split_work.h"
 #include "vector.h"
 
 #define ROUNDING 1e-9 /* metres */
 
-enum { MAX_CUTS = 8, MAX_PARTS = 64 };
+enum {
+	PIECE = 1024, /* triangles, or points, per piece of work */
+	CUTS = 40 * PIECE, /* of all triangles of a piece of work */
+	STACK = 128, /* pieces of one triangle that wait */
+	MOST_SAMPLES = 2000000,
+};
 
-/* A piece of a triangle, and how often it was cut. */
-struct piece {
-	struct triangle_shape shape;
-	uint32_t cuts;
+/* A place, and the triangle of the other side nearest to it. */
+struct near_hit {
+	double distance;
+	uint32_t triangle;
+};
+
+/* What a piece of work has found. */
+struct found {
+	double max, at_most;
+	double area, sum, squares;
 };
 
 struct measure {
-	const struct compare_side *to;
-	double tolerance;
-	double max, at_most; /* so far */
+	const struct compare_side *from, *to;
+	double tolerance, spacing;
+	double corner_max; /* over all points */
+	struct near_hit *hits; /* per point of `from` */
+	struct found *found; /* per piece of work */
 };
 
 static struct tcs_point
@@ -29,179 +43,356 @@ centre_of(const struct triangle_shape *t)
 		1.0 / 3);
 }
 
-/* ---- the largest --------------------------------------------------------- */
-
-/* No point of the piece is farther from the triangle than this. */
 static double
-farthest_from(const struct measure *measure, const struct piece *piece,
-	uint32_t triangle)
+distance_from(const struct measure *measure, uint32_t triangle,
+	struct tcs_point point)
 {
 	struct triangle_shape shape =
 		component_set_shape(&measure->to->set, triangle);
+
+	return vector_length(
+		vector_difference(triangle_nearest(&shape, point), point));
+}
+
+/* The search begins no farther away than the triangle found last. */
+static struct near_hit
+find_near(const struct measure *measure, struct tcs_point from, uint32_t last)
+{
+	double reach = distance_from(measure, last, from);
+	struct tree_hit hit = triangle_tree_nearest(&measure->to->surfaces,
+		measure->to->whole, from, reach * (1 + 1e-9) + 1e-12);
+
+	return (struct near_hit){hit.distance, hit.item};
+}
+
+/* ---- the largest --------------------------------------------------------- */
+
+static void
+measure_points(void *context, size_t piece, size_t first, size_t end)
+{
+	struct measure *measure = context;
+	uint32_t last = 0;
+	double max = 0;
+
+	for (size_t i = first; i < end; i++) {
+		struct near_hit hit = find_near(
+			measure, measure->from->set.points.at[i], last);
+
+		measure->hits[i] = hit;
+		last = hit.triangle;
+		max = fmax(max, hit.distance);
+	}
+	measure->found[piece].max = max;
+}
+
+/* No point of the shape is farther from the triangle than this. */
+static double
+farthest_from(const struct measure *measure, const struct triangle_shape *shape,
+	uint32_t triangle)
+{
 	double farthest = 0;
 
-	for (int i = 0; i < 3; i++) {
-		struct tcs_point corner = piece->shape.corner[i];
-		struct tcs_point at = triangle_nearest(&shape, corner);
-
-		farthest = fmax(
-			farthest, vector_length(vector_difference(at, corner)));
-	}
+	for (int i = 0; i < 3; i++)
+		farthest = fmax(farthest,
+			distance_from(measure, triangle, shape->corner[i]));
 	return farthest;
 }
 
-/* Raise the maximum to what is found and return the bound over the piece. */
-static double
-bound_piece(struct measure *measure, const struct piece *piece)
+/* How far three points lie on the inner side of one edge of a triangle. */
+struct sides {
+	double at[3];
+	double least; /* of how far they are on either side; 0: one side only */
+};
+
+static struct sides
+sides_of(const struct triangle_shape *shape, const struct triangle_shape *other,
+	int edge)
 {
-	const struct compare_side *to = measure->to;
+	struct tcs_point a = other->corner[edge];
+	struct tcs_point inwards = vector_cross(triangle_normal(other),
+		vector_difference(other->corner[(edge + 1) % 3], a));
+	double length = vector_length(inwards);
+	double low = 0, high = 0;
+	struct sides sides = {.least = 0};
+
+	if (!(length > 0))
+		return sides;
+	for (int i = 0; i < 3; i++) {
+		sides.at[i] = vector_dot(inwards,
+				      vector_difference(shape->corner[i], a)) /
+			length;
+		low = fmin(low, sides.at[i]);
+		high = fmax(high, sides.at[i]);
+	}
+	sides.least = fmin(-low, high);
+	return sides;
+}
+
+/* In three, where a plane goes between the corners. */
+static size_t
+cut_along(const struct triangle_shape *shape, const struct sides *sides,
+	struct triangle_shape out[3])
+{
+	struct tcs_point a, b, c, ab, ac;
+	double from, to_b, to_c;
+	int lone = 0;
+
+	while (lone < 2 &&
+		((sides->at[lone] > 0) == (sides->at[(lone + 1) % 3] > 0) ||
+			(sides->at[lone] > 0) ==
+				(sides->at[(lone + 2) % 3] > 0)))
+		lone++;
+	from = sides->at[lone];
+	to_b = from - sides->at[(lone + 1) % 3];
+	to_c = from - sides->at[(lone + 2) % 3];
+	a = shape->corner[lone];
+	b = shape->corner[(lone + 1) % 3];
+	c = shape->corner[(lone + 2) % 3];
+	ab = vector_along(a, vector_difference(b, a), from / to_b);
+	ac = vector_along(a, vector_difference(c, a), from / to_c);
+	out[0] = (struct triangle_shape){{ab, b, c}};
+	out[1] = (struct triangle_shape){{ab, c, ac}};
+	out[2] = (struct triangle_shape){{a, ab, ac}};
+	return 3;
+}
+
+static double
+edge_length(const struct triangle_shape *t, int edge)
+{
+	return vector_length(
+		vector_difference(t->corner[(edge + 1) % 3], t->corner[edge]));
+}
+
+static size_t
+cut_in_half(const struct triangle_shape *shape, struct triangle_shape out[3])
+{
+	int longest = 0;
+	struct tcs_point a, b, c, middle;
+
+	for (int i = 1; i < 3; i++)
+		if (edge_length(shape, i) > edge_length(shape, longest))
+			longest = i;
+	a = shape->corner[longest];
+	b = shape->corner[(longest + 1) % 3];
+	c = shape->corner[(longest + 2) % 3];
+	middle = vector_scaled(vector_sum(a, b), 0.5);
+	out[0] = (struct triangle_shape){{a, middle, c}};
+	out[1] = (struct triangle_shape){{middle, b, c}};
+	return 2;
+}
+
+/* Along the edge of the other triangle that has most of it on both sides. */
+static size_t
+cut_part(const struct measure *measure, const struct triangle_shape *shape,
+	uint32_t triangle, struct triangle_shape out[3])
+{
+	struct triangle_shape other =
+		component_set_shape(&measure->to->set, triangle);
+	struct sides best = {.least = 0};
+
+	for (int i = 0; i < 3; i++) {
+		struct sides sides = sides_of(shape, &other, i);
+
+		if (sides.least > best.least)
+			best = sides;
+	}
+	return best.least > ROUNDING ? cut_along(shape, &best, out)
+				     : cut_in_half(shape, out);
+}
+
+/* The bound over a triangle from what is nearest to its corners. */
+static double
+bound_by_corners(const struct measure *measure, size_t triangle,
+	const struct triangle_shape *shape)
+{
+	const uint32_t *corner =
+		measure->from->set.triangles.at[triangle].corner;
 	double bound = INFINITY;
 
-	for (int i = 3; i >= 0; i--) {
-		struct tcs_point from = i < 3 ? piece->shape.corner[i]
-					      : centre_of(&piece->shape);
-		struct tree_hit hit = triangle_tree_nearest(
-			&to->surfaces, to->whole, from, INFINITY);
-
-		measure->max = fmax(measure->max, hit.distance);
-		bound = fmin(bound, farthest_from(measure, piece, hit.item));
-		if (bound <= measure->max + ROUNDING)
-			break;
-	}
+	for (int i = 0; i < 3; i++)
+		bound = fmin(bound,
+			farthest_from(measure, shape,
+				measure->hits[corner[i]].triangle));
 	return bound;
 }
 
-static struct tcs_point
-middle_of(struct tcs_point a, struct tcs_point b)
+/* Returns a bound over the triangle. */
+static double
+bound_triangle(const struct measure *measure, size_t triangle,
+	const struct triangle_shape *whole, struct found *found, size_t *cuts)
 {
-	return vector_scaled(vector_sum(a, b), 0.5);
-}
-
-static void
-cut_piece(const struct piece *piece, struct piece out[4])
-{
-	const struct tcs_point *c = piece->shape.corner;
-	struct tcs_point m[3];
-
-	for (int i = 0; i < 3; i++)
-		m[i] = middle_of(c[i], c[(i + 1) % 3]);
-	for (int i = 0; i < 3; i++)
-		out[i] = (struct piece){
-			{{c[i], m[i], m[(i + 2) % 3]}}, piece->cuts + 1};
-	out[3] = (struct piece){{{m[0], m[1], m[2]}}, piece->cuts + 1};
-}
-
-static void
-bound_triangle(struct measure *measure, const struct triangle_shape *shape)
-{
-	struct piece stack[3 * MAX_CUTS + 4];
+	struct triangle_shape stack[STACK];
+	double most = bound_by_corners(measure, triangle, whole), bound;
+	uint32_t last = measure->hits[measure->from->set.triangles.at[triangle]
+					       .corner[0]]
+				.triangle;
 	size_t height = 1;
 
-	stack[0] = (struct piece){*shape, 0};
+	if (most <= found->max + measure->tolerance)
+		return most;
+	most = 0;
+	stack[0] = *whole;
 	while (height > 0) {
-		struct piece piece = stack[--height];
-		double bound = bound_piece(measure, &piece);
+		struct triangle_shape part = stack[--height];
+		struct near_hit hit =
+			find_near(measure, centre_of(&part), last);
 
-		if (bound <= measure->max + measure->tolerance ||
-			piece.cuts == MAX_CUTS) {
-			measure->at_most = fmax(measure->at_most, bound);
+		last = hit.triangle;
+		found->max = fmax(found->max, hit.distance);
+		bound = farthest_from(measure, &part, hit.triangle);
+		if (bound <= found->max + measure->tolerance || !*cuts ||
+			height + 3 > STACK) {
+			most = fmax(most, bound);
 			continue;
 		}
-		assert(height + 4 <= sizeof stack / sizeof *stack);
-		cut_piece(&piece, stack + height);
-		height += 4;
+		--*cuts;
+		height +=
+			cut_part(measure, &part, hit.triangle, stack + height);
 	}
+	return most;
 }
 
 /* ---- the mean ------------------------------------------------------------ */
 
-struct mean {
-	double area, sum, squares;
-};
-
-static double
-longest_edge(const struct triangle_shape *t)
+/* A sequence that fills the triangle evenly; the first is its centre. */
+static struct tcs_point
+sample_of(const struct triangle_shape *t, size_t i)
 {
-	double longest = 0;
+	double u = 1.0 / 3 + 0.7548776662466927 * (double)i;
+	double v = 1.0 / 3 + 0.5698402909980532 * (double)i;
 
-	for (int i = 0; i < 3; i++)
-		longest = fmax(longest,
-			vector_length(vector_difference(
-				t->corner[(i + 1) % 3], t->corner[i])));
-	return longest;
-}
-
-static void
-sample_at(const struct compare_side *to, const struct triangle_shape *t,
-	double u, double v, double area, struct mean *mean)
-{
-	struct tcs_point at = vector_along(
+	u -= floor(u);
+	v -= floor(v);
+	if (u + v > 1) {
+		u = 1 - u;
+		v = 1 - v;
+	}
+	return vector_along(
 		vector_along(t->corner[0],
 			vector_difference(t->corner[1], t->corner[0]), u),
 		vector_difference(t->corner[2], t->corner[0]), v);
-	double distance =
-		triangle_tree_nearest(&to->surfaces, to->whole, at, INFINITY)
-			.distance;
-
-	mean->area += area;
-	mean->sum += area * distance;
-	mean->squares += area * distance * distance;
 }
 
-/* n² congruent pieces: those like the triangle, and those turned round. */
 static void
-sample_triangle(const struct compare_side *to, const struct triangle_shape *t,
-	double spacing, struct mean *mean)
+sample_triangle(const struct measure *measure, const struct triangle_shape *t,
+	uint32_t last, struct found *found)
 {
-	double parts = ceil(longest_edge(t) / spacing), area;
-	int n = parts < MAX_PARTS ? (int)fmax(parts, 1) : MAX_PARTS;
+	double square = measure->spacing * measure->spacing;
+	double area = triangle_area(t), count = ceil(area / square);
+	double part = area / fmax(count, 1);
 
-	area = triangle_area(t) / ((double)n * n);
-	for (int i = 0; i < n; i++) {
-		for (int k = 0; i + k < n; k++) {
-			sample_at(to, t, (i + 1.0 / 3) / n, (k + 1.0 / 3) / n,
-				area, mean);
-			if (i + k + 1 < n)
-				sample_at(to, t, (i + 2.0 / 3) / n,
-					(k + 2.0 / 3) / n, area, mean);
-		}
+	for (size_t i = 0; i < (size_t)count; i++) {
+		struct near_hit hit = find_near(measure, sample_of(t, i), last);
+
+		last = hit.triangle;
+		found->max = fmax(found->max, hit.distance);
+		found->sum += part * hit.distance;
+		found->squares += part * hit.distance * hit.distance;
 	}
 }
 
-/* About four pieces for every triangle, and a thousand. */
+static void
+measure_triangles(void *context, size_t piece, size_t first, size_t end)
+{
+	struct measure *measure = context;
+	const struct component_set *set = &measure->from->set;
+	struct found found = {.max = measure->corner_max};
+	size_t cuts = CUTS;
+
+	for (size_t i = first; i < end; i++) {
+		struct triangle_shape shape = component_set_shape(set, i);
+		double bound =
+			bound_triangle(measure, i, &shape, &found, &cuts);
+
+		found.area += triangle_area(&shape);
+		found.at_most = fmax(found.at_most, bound);
+		if (bound > ROUNDING)
+			sample_triangle(measure, &shape,
+				measure->hits[set->triangles.at[i].corner[0]]
+					.triangle,
+				&found);
+	}
+	measure->found[piece] = found;
+}
+
+/* ---- all ----------------------------------------------------------------- */
+
 static double
 choose_spacing(const struct compare_side *side)
 {
 	double area = 0;
+	double count = 4 * (double)side->set.triangles.count + 1000;
 
 	for (size_t i = 0; i < side->set.components.count; i++)
 		area += side->set.components.at[i].area;
-	return fmax(1e-6,
-		sqrt(area / (4 * (double)side->set.triangles.count + 1000)));
+	return fmax(1e-6, sqrt(area / fmin(count, MOST_SAMPLES)));
 }
 
-struct surface_distance
-surface_distance_measure(const struct compare_side *from,
-	const struct compare_side *to, double tolerance)
+static struct surface_distance
+sum_up(const struct measure *measure, size_t pieces)
 {
-	struct measure measure = {.to = to, .tolerance = tolerance};
-	struct mean mean = {0};
-	double spacing;
+	struct found all = {0};
 
-	if (!from->set.triangles.count || !to->set.triangles.count)
-		return (struct surface_distance){
-			INFINITY, INFINITY, INFINITY, INFINITY, INFINITY};
-	spacing = choose_spacing(from);
-	for (size_t i = 0; i < from->set.triangles.count; i++) {
-		struct triangle_shape shape =
-			component_set_shape(&from->set, i);
+	for (size_t i = 0; i < pieces; i++) {
+		const struct found *found = &measure->found[i];
 
-		bound_triangle(&measure, &shape);
-		sample_triangle(to, &shape, spacing, &mean);
+		all.max = fmax(all.max, found->max);
+		all.at_most = fmax(all.at_most, found->at_most);
+		all.area += found->area;
+		all.sum += found->sum;
+		all.squares += found->squares;
 	}
-	if (!(mean.area > 0))
-		mean.area = 1;
-	return (struct surface_distance){measure.max,
-		fmax(measure.max, measure.at_most), mean.sum / mean.area,
-		sqrt(mean.squares / mean.area), spacing};
+	if (!(all.area > 0))
+		all.area = 1;
+	return (struct surface_distance){all.max, fmax(all.max, all.at_most),
+		all.sum / all.area, sqrt(all.squares / all.area),
+		measure->spacing};
+}
+
+static enum tcs_status
+measure_all(struct measure *measure, struct surface_distance *out,
+	struct tcs_fault *fault)
+{
+	size_t points = measure->from->set.points.count;
+	size_t triangles = measure->from->set.triangles.count;
+	unsigned jobs = measure->from->set.jobs;
+	enum tcs_status status =
+		split_work(points, PIECE, jobs, measure_points, measure, fault);
+
+	for (size_t i = 0; i < split_pieces(points, PIECE); i++)
+		measure->corner_max =
+			fmax(measure->corner_max, measure->found[i].max);
+	if (!status)
+		status = split_work(triangles, PIECE, jobs, measure_triangles,
+			measure, fault);
+	if (!status)
+		*out = sum_up(measure, split_pieces(triangles, PIECE));
+	return status;
+}
+
+enum tcs_status
+surface_distance_measure(const struct compare_side *from,
+	const struct compare_side *to, double tolerance,
+	struct surface_distance *out, struct tcs_fault *fault)
+{
+	struct measure measure = {
+		.from = from, .to = to, .tolerance = tolerance};
+	/* A triangle has at most three points of its own. */
+	size_t pieces = split_pieces(3 * from->set.triangles.count, PIECE);
+	enum tcs_status status;
+
+	*out = (struct surface_distance){
+		INFINITY, INFINITY, INFINITY, INFINITY, INFINITY};
+	if (!from->set.triangles.count || !to->set.triangles.count)
+		return TCS_OK;
+	measure.spacing = choose_spacing(from);
+	measure.hits = calloc(from->set.points.count, sizeof *measure.hits);
+	measure.found = calloc(pieces, sizeof *measure.found);
+	if (!measure.hits || !measure.found)
+		status = fault_memory(fault);
+	else
+		status = measure_all(&measure, out, fault);
+	free(measure.hits);
+	free(measure.found);
+	return status;
 }

@@ -9,8 +9,8 @@
 
 /*
  * `max` is reached at a point; no point is farther than `at_most`. Mean and
- * root mean square are over the area, from the centres of equal pieces into
- * which each triangle is cut so that they lie about `spacing` apart.
+ * root mean square are over the area, from points spread evenly over each
+ * triangle, one for every square of `spacing` and at least one.
  */
 struct surface_distance {
 	double max, at_most, mean, rms, spacing;
@@ -18,11 +18,14 @@ struct surface_distance {
 
 /*
  * The bound uses that the distance to one triangle is convex: over a piece it
- * is largest at a corner. Pieces are cut in four until both are within
- * `tolerance`, or 8 times. INFINITY where one side is empty.
+ * is largest at a corner. Pieces are cut along the edges of the triangle
+ * nearest to their middle, or in half, until both are within `tolerance`; no
+ * more than 40 times a triangle, on the average of a thousand.
+ * INFINITY where one side is empty. Uses from->set.jobs threads, with the same
+ * result for any number. Fails with TCS_NO_MEMORY, TCS_SYSTEM.
  */
-struct surface_distance surface_distance_measure(
-	const struct compare_side *from, const struct compare_side *to,
-	double tolerance);
+enum tcs_status surface_distance_measure(const struct compare_side *from,
+	const struct compare_side *to, double tolerance,
+	struct surface_distance *out, struct tcs_fault *fault) TCS_CHECKED;
 
 #endif

@@ -3,9 +3,12 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "split_work.h"
 #include "vector.h"
 
 #define THINNEST 1e-6 /* metres */
+
+enum { TRIANGLES_AT_ONCE = 1024 };
 
 static void
 judge_edges(const struct edge_table *edges, struct mesh_health *health)
@@ -104,34 +107,62 @@ is_flipped(const struct compare_side *before, uint32_t root,
 		vector_sum(shape->corner[0],
 			vector_sum(shape->corner[1], shape->corner[2])),
 		1.0 / 3);
-	double any, facing;
+	struct triangle_shape nearest;
+	struct tree_hit any;
 
 	if (is_thin(shape))
 		return false;
-	any = triangle_tree_nearest(&before->set.tree, root, centre, INFINITY)
-		      .distance;
-	facing = triangle_tree_nearest_facing(
-		&before->set.tree, root, centre, normal, any + eps)
-			 .distance;
-	return facing > any + eps;
+	any = triangle_tree_nearest(&before->set.tree, root, centre, INFINITY);
+	nearest = component_set_shape(&before->set, any.item);
+	return vector_dot(triangle_normal(&nearest), normal) <= 0 &&
+		!isfinite(triangle_tree_nearest_facing(&before->set.tree, root,
+			centre, normal, any.distance + eps)
+				  .distance);
 }
 
-size_t
-count_flipped(const struct compare_side *before,
-	const struct compare_side *after, const struct compare_match *match,
-	double eps)
-{
-	size_t flipped = 0;
+struct flip_count {
+	const struct compare_side *before, *after;
+	const struct compare_match *match;
+	double eps;
+	size_t *found; /* per piece of work */
+};
 
-	for (size_t i = 0; i < after->set.triangles.count; i++) {
-		struct triangle_shape shape =
-			component_set_shape(&after->set, i);
-		uint32_t parent = match->parents.at[after->set.numbers.at[i]];
+static void
+count_some_flipped(void *context, size_t piece, size_t first, size_t end)
+{
+	const struct flip_count *count = context;
+	const struct component_set *after = &count->after->set;
+
+	for (size_t i = first; i < end; i++) {
+		struct triangle_shape shape = component_set_shape(after, i);
+		uint32_t parent =
+			count->match->parents.at[after->numbers.at[i]];
 
 		if (parent != TCS_NONE)
-			flipped += is_flipped(before,
-				before->set.components.at[parent].root, &shape,
-				eps);
+			count->found[piece] += is_flipped(count->before,
+				count->before->set.components.at[parent].root,
+				&shape, count->eps);
 	}
-	return flipped;
+}
+
+enum tcs_status
+count_flipped(const struct compare_side *before,
+	const struct compare_side *after, const struct compare_match *match,
+	double eps, size_t *flipped, struct tcs_fault *fault)
+{
+	size_t triangles = after->set.triangles.count;
+	size_t pieces = split_pieces(triangles, TRIANGLES_AT_ONCE);
+	struct flip_count count = {before, after, match, eps,
+		calloc(pieces + 1, sizeof *count.found)};
+	enum tcs_status status;
+
+	*flipped = 0;
+	if (!count.found)
+		return fault_memory(fault);
+	status = split_work(triangles, TRIANGLES_AT_ONCE, after->set.jobs,
+		count_some_flipped, &count, fault);
+	for (size_t i = 0; i < pieces; i++)
+		*flipped += count.found[i];
+	free(count.found);
+	return status;
 }

@@ -20,10 +20,11 @@ enum tcs_status mesh_health_measure(const struct component_set *set,
 
 /*
  * Triangles after whose centre lies farther, by more than eps, from what faces
- * their way of the component they come from than from all of it.
+ * their way of the component they come from than from all of it. Fails with
+ * TCS_NO_MEMORY, TCS_SYSTEM.
  */
-size_t count_flipped(const struct compare_side *before,
+enum tcs_status count_flipped(const struct compare_side *before,
 	const struct compare_side *after, const struct compare_match *match,
-	double eps);
+	double eps, size_t *flipped, struct tcs_fault *fault) TCS_CHECKED;
 
 #endif

@@ -3,7 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "split_work.h"
 #include "vector.h"
+
+enum { TRIANGLES_AT_ONCE = 1024 };
 
 /* The tree of the other side in which to look for a triangle's surface. */
 static uint32_t
@@ -25,44 +28,49 @@ centre_of(const struct component_set *set, size_t triangle)
 		1.0 / 3);
 }
 
-/* One of the components before per triangle of a component after. */
+/* The component before that each triangle after is nearest to. */
 struct ballot {
+	const struct compare_side *after, *before;
+	uint32_t *cast; /* per triangle after */
 	uint32_t *votes; /* per component before, clear between counts */
-	uint32_t *cast; /* per triangle of the component after */
 };
 
-static uint32_t
-nearest_component(const struct compare_side *after, uint32_t triangle,
-	const struct compare_side *before)
+static void
+cast_votes(void *context, size_t piece, size_t first, size_t end)
 {
-	uint32_t root = tree_for(after, triangle, before);
-	struct tree_hit hit = triangle_tree_nearest(&before->surfaces,
-		root == NO_TREE ? before->whole : root,
-		centre_of(&after->set, triangle), INFINITY);
+	const struct ballot *ballot = context;
+	const struct compare_side *before = ballot->before;
 
-	return before->set.numbers.at[hit.item];
+	(void)piece;
+	for (size_t i = first; i < end; i++) {
+		uint32_t root = tree_for(ballot->after, i, before);
+		struct tree_hit hit = triangle_tree_nearest(&before->surfaces,
+			root == NO_TREE ? before->whole : root,
+			centre_of(&ballot->after->set, i), INFINITY);
+
+		ballot->cast[i] = before->set.numbers.at[hit.item];
+	}
 }
 
 /* The first to have the most votes. */
 static uint32_t
-find_parent(const struct compare_side *after, uint32_t number,
-	const struct compare_side *before, const struct ballot *ballot)
+find_parent(const struct ballot *ballot, uint32_t number)
 {
-	const struct component *component = &after->set.components.at[number];
-	const uint32_t *order = after->set.order.at + component->first;
+	const struct component_set *set = &ballot->after->set;
+	const struct component *component = &set->components.at[number];
+	const uint32_t *order = set->order.at + component->first;
 	uint32_t best = TCS_NONE;
 
 	for (uint32_t i = 0; i < component->count; i++) {
-		uint32_t found = nearest_component(after, order[i], before);
+		uint32_t found = ballot->cast[order[i]];
 
-		ballot->cast[i] = found;
 		ballot->votes[found]++;
 		if (best == TCS_NONE ||
 			ballot->votes[found] > ballot->votes[best])
 			best = found;
 	}
 	for (uint32_t i = 0; i < component->count; i++)
-		ballot->votes[ballot->cast[i]] = 0;
+		ballot->votes[ballot->cast[order[i]]] = 0;
 	return best;
 }
 
@@ -73,18 +81,19 @@ find_parents(struct compare_match *match, const struct compare_side *before,
 	size_t count = after->set.components.count;
 	size_t triangles = after->set.triangles.count;
 	size_t components = before->set.components.count;
-	struct ballot ballot = {
-		calloc(components + 1, sizeof *ballot.votes),
+	struct ballot ballot = {after, before,
 		calloc(triangles + 1, sizeof *ballot.cast),
-	};
+		calloc(components + 1, sizeof *ballot.votes)};
 	enum tcs_status status = TCS_OK;
 
 	if (!ballot.votes || !ballot.cast || array_grow(&match->parents, count))
 		status = fault_memory(fault);
+	else if (components)
+		status = split_work(triangles, TRIANGLES_AT_ONCE,
+			after->set.jobs, cast_votes, &ballot, fault);
 	for (uint32_t i = 0; !status && i < count; i++)
-		match->parents.at[i] = components
-			? find_parent(after, i, before, &ballot)
-			: TCS_NONE;
+		match->parents.at[i] =
+			components ? find_parent(&ballot, i) : TCS_NONE;
 	if (!status)
 		match->parents.count = count;
 	free(ballot.votes);
@@ -119,6 +128,28 @@ find_cover(const struct compare_side *before, uint32_t number,
 		}
 	}
 	return cover;
+}
+
+/* As images, for now: the covers of those that nothing comes from. */
+static void
+find_covers(struct compare_match *match, const struct compare_side *before,
+	const struct compare_side *after, double eps)
+{
+	size_t components = before->set.components.count;
+
+	for (size_t i = 0; i < components; i++) {
+		match->merged.at[i] = false;
+		match->images.at[i] = TCS_NONE;
+	}
+	for (size_t i = 0; i < match->parents.count; i++)
+		if (match->parents.at[i] != TCS_NONE)
+			match->merged.at[match->parents.at[i]] = true;
+	for (uint32_t i = 0; i < components; i++) {
+		if (!match->merged.at[i])
+			match->images.at[i] = find_cover(before, i, after, eps);
+		match->merged.at[i] = false;
+	}
+	match->images.count = components;
 }
 
 /* Images by counting: first[i] is where those of component i begin. */
@@ -187,11 +218,7 @@ match_components(struct compare_match *match, const struct compare_side *before,
 		status = fault_memory(fault);
 	if (status)
 		return status;
-	for (uint32_t i = 0; i < components; i++) {
-		match->merged.at[i] = false;
-		match->images.at[i] = find_cover(before, i, after, eps);
-	}
-	match->images.count = components;
+	find_covers(match, before, after, eps);
 	list_images(match, components);
 	return fill_images(match, components, fault);
 }

@@ -4,6 +4,9 @@
 
 #include "compare_distance.h"
 #include "compare_health.h"
+#include "split_work.h"
+
+enum { LARGE = 20000 }; /* triangles worth more than one thread */
 
 static double
 surface_area(const struct component_set *set)
@@ -70,14 +73,19 @@ find_lost_surfaces(const struct comparer *comparer,
 	return TCS_OK;
 }
 
-static void
-measure_distances(const struct comparer *comparer, double tolerance, double *at)
+static enum tcs_status
+measure_distances(const struct comparer *comparer, double tolerance, double *at,
+	struct tcs_fault *fault)
 {
-	struct surface_distance there = surface_distance_measure(
-		&comparer->before, &comparer->after, tolerance);
-	struct surface_distance back = surface_distance_measure(
-		&comparer->after, &comparer->before, tolerance);
+	struct surface_distance there, back;
+	enum tcs_status status = surface_distance_measure(
+		&comparer->before, &comparer->after, tolerance, &there, fault);
 
+	if (!status)
+		status = surface_distance_measure(&comparer->after,
+			&comparer->before, tolerance, &back, fault);
+	if (status)
+		return status;
 	at[COMPARE_THERE_MAX] = there.max;
 	at[COMPARE_THERE_AT_MOST] = there.at_most;
 	at[COMPARE_THERE_MEAN] = there.mean;
@@ -88,6 +96,7 @@ measure_distances(const struct comparer *comparer, double tolerance, double *at)
 	at[COMPARE_BACK_MEAN] = back.mean;
 	at[COMPARE_BACK_RMS] = back.rms;
 	at[COMPARE_BACK_SPACING] = back.spacing;
+	return TCS_OK;
 }
 
 /* The features of the first triangles stand for the components. */
@@ -113,6 +122,27 @@ name_broken(const struct compare_side *before, struct compare_result *result,
 	return TCS_OK;
 }
 
+/* What it takes to load a side, and how that ended. */
+struct loading {
+	struct compare_side *side;
+	const struct tcs_object *object;
+	int lod;
+	struct frame frame;
+	enum tcs_status status;
+	struct tcs_fault fault;
+};
+
+static void
+load_one(void *context, size_t piece, size_t first, size_t end)
+{
+	struct loading *loading = (struct loading *)context + piece;
+
+	(void)first;
+	(void)end;
+	loading->status = side_load(loading->side, loading->object,
+		loading->lod, &loading->frame, &loading->fault);
+}
+
 /* Metres from a point of the object, so that nothing is lost far from 0. */
 static enum tcs_status
 load_sides(struct comparer *comparer, const struct compare_settings *settings,
@@ -122,18 +152,30 @@ load_sides(struct comparer *comparer, const struct compare_settings *settings,
 	const struct tcs_object *one =
 		before && before->vertices.count ? before : after;
 	struct tcs_point origin = {0, 0, 0};
-	struct frame frames[2];
+	struct loading sides[2] = {
+		{.side = &comparer->before, .object = before},
+		{.side = &comparer->after, .object = after},
+	};
+	unsigned jobs = before && after &&
+			before->triangles.count + after->triangles.count >=
+				LARGE
+		? settings->jobs
+		: 1;
 	enum tcs_status status;
 
 	if (one && one->vertices.count)
 		origin = one->vertices.at[0];
-	for (int i = 0; i < 2; i++)
-		frame_init(&frames[i], &settings->crs[i], &origin);
-	status = side_load(&comparer->before, before, settings->lods[0],
-		&frames[0], fault);
-	if (!status)
-		status = side_load(&comparer->after, after, settings->lods[1],
-			&frames[1], fault);
+	for (int i = 0; i < 2; i++) {
+		sides[i].lod = settings->lods[i];
+		sides[i].side->set.jobs = jobs;
+		frame_init(&sides[i].frame, &settings->crs[i], &origin);
+	}
+	status = split_work(2, 1, jobs, load_one, sides, fault);
+	for (int i = 0; i < 2 && !status; i++) {
+		status = sides[i].status;
+		if (status)
+			*fault = sides[i].fault;
+	}
 	if (!status)
 		status = side_match_features(&comparer->before, before,
 			&comparer->after, after, fault);
@@ -147,6 +189,7 @@ compare_sides(struct comparer *comparer, double eps,
 	struct compare_side *before = &comparer->before;
 	double *at = result->metrics.at;
 	enum tcs_status status = describe_side(before, false, at, fault);
+	size_t flipped;
 
 	if (!status)
 		status = describe_side(&comparer->after, true, at, fault);
@@ -166,10 +209,12 @@ compare_sides(struct comparer *comparer, double eps,
 		status = find_lost_surfaces(comparer, result, fault);
 	if (status)
 		return status;
-	at[COMPARE_FLIPPED] = (double)count_flipped(
-		before, &comparer->after, &comparer->match, eps);
-	measure_distances(comparer, fmin(eps / 10, 0.001), at);
-	return TCS_OK;
+	status = count_flipped(before, &comparer->after, &comparer->match, eps,
+		&flipped, fault);
+	at[COMPARE_FLIPPED] = (double)flipped;
+	if (status)
+		return status;
+	return measure_distances(comparer, fmin(eps / 10, 0.001), at, fault);
 }
 
 enum tcs_status

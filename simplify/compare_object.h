@@ -10,6 +10,7 @@ struct compare_settings {
 	struct tcs_crs crs[2];
 	int lods[2]; /* see lod_select.h */
 	double eps; /* metres; 0: contact_reach */
+	unsigned jobs; /* threads to use for one large object; 0 is 1 */
 };
 
 /* Scratch memory of one thread; all zero is empty. */

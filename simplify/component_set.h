@@ -19,6 +19,7 @@ struct component {
 
 /* All zero is empty; component_set_clear keeps the room. */
 struct component_set {
+	unsigned jobs; /* threads to use for it; 0 is 1 */
 	TCS_ARRAY(struct tcs_point) points;
 	TCS_ARRAY(struct tcs_triangle) triangles;
 	TCS_ARRAY(uint32_t) features; /* of each triangle */

@@ -3,11 +3,24 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "split_work.h"
+
+enum { BATCH = 1 << 16, CONTACTS_AT_ONCE = 64 };
+
+/* A pair of components, and whether it is in contact. */
+struct candidate {
+	struct contact contact;
+	bool holds;
+};
+
 struct search {
 	const struct component_set *set;
 	struct contact_list *contacts;
 	double reach;
-	bool failed; /* for want of memory */
+	struct candidate *batch;
+	size_t count; /* of the batch */
+	enum tcs_status status;
+	struct tcs_fault *fault;
 };
 
 double
@@ -48,30 +61,60 @@ touches(const struct search *search, struct contact *contact)
 	return gap.distance <= search->reach;
 }
 
+static void
+judge_some(void *context, size_t piece, size_t first, size_t end)
+{
+	const struct search *search = context;
+	const struct component_set *set = search->set;
+
+	(void)piece;
+	for (size_t i = first; i < end; i++) {
+		struct contact *contact = &search->batch[i].contact;
+
+		search->batch[i].holds = touches(search, contact);
+		if (search->batch[i].holds)
+			continue;
+		contact->inside =
+			encloses(set, contact->a, contact->b, contact) ||
+			encloses(set, contact->b, contact->a, contact);
+		search->batch[i].holds = contact->inside;
+	}
+}
+
+static enum tcs_status
+judge_batch(struct search *search)
+{
+	enum tcs_status status = split_work(search->count, CONTACTS_AT_ONCE,
+		search->set->jobs, judge_some, search, search->fault);
+
+	for (size_t i = 0; !status && i < search->count; i++) {
+		if (!search->batch[i].holds)
+			continue;
+		if (array_grow(search->contacts, 1))
+			return fault_memory(search->fault);
+		search->contacts->at[search->contacts->count++] =
+			search->batch[i].contact;
+	}
+	search->count = 0;
+	return status;
+}
+
 static bool
-judge_pair(void *context, uint32_t left, uint32_t right)
+add_pair(void *context, uint32_t left, uint32_t right)
 {
 	struct search *search = context;
 	const struct component_set *set = search->set;
 	uint32_t a = set->boxes.items.at[left];
 	uint32_t b = set->boxes.items.at[right];
-	struct contact contact = {.a = a < b ? a : b, .b = a < b ? b : a};
 
 	if (box_gap_squared(&set->components.at[a].box,
 		    &set->components.at[b].box) > search->reach * search->reach)
 		return true;
-	if (!touches(search, &contact)) {
-		contact.inside = encloses(set, a, b, &contact) ||
-			encloses(set, b, a, &contact);
-		if (!contact.inside)
-			return true;
-	}
-	if (array_grow(search->contacts, 1)) {
-		search->failed = true;
-		return false;
-	}
-	search->contacts->at[search->contacts->count++] = contact;
-	return true;
+	search->batch[search->count++] = (struct candidate){
+		.contact = {.a = a < b ? a : b, .b = a < b ? b : a}};
+	if (search->count == BATCH)
+		search->status = judge_batch(search);
+	return !search->status;
 }
 
 static int
@@ -88,17 +131,24 @@ enum tcs_status
 contacts_find(const struct component_set *set, double reach,
 	struct contact_list *contacts, struct tcs_fault *fault)
 {
-	struct search search = {set, contacts, reach, false};
+	struct search search = {.set = set,
+		.contacts = contacts,
+		.reach = reach,
+		.fault = fault};
 
 	array_clear(contacts);
 	if (!set->components.count)
 		return TCS_OK;
-	box_tree_pairs(&set->boxes, set->box_root, set->box_root, reach,
-		judge_pair, &search);
-	if (search.failed)
+	search.batch = calloc(BATCH, sizeof *search.batch);
+	if (!search.batch)
 		return fault_memory(fault);
-	if (contacts->count > 0)
+	box_tree_pairs(&set->boxes, set->box_root, set->box_root, reach,
+		add_pair, &search);
+	if (!search.status)
+		search.status = judge_batch(&search);
+	free(search.batch);
+	if (!search.status && contacts->count > 0)
 		qsort(contacts->at, contacts->count, sizeof *contacts->at,
 			by_components);
-	return TCS_OK;
+	return search.status;
 }

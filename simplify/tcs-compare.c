@@ -112,6 +112,7 @@ open_run(struct run *run, const struct command *command,
 
 	run->options = options;
 	run->settings = options->settings;
+	run->settings.jobs = command->jobs;
 	run->item_count = crew_slots(command->jobs);
 	run->items = calloc(run->item_count, sizeof *run->items);
 	run->comparers = calloc(command->jobs, sizeof *run->comparers);

@@ -35,46 +35,56 @@ square_distance(struct tcs_point a, struct tcs_point b)
 	return vector_dot(ab, ab);
 }
 
+/* Whether the point, projected on the plane, lies right of the edge. */
+static inline bool
+is_outside(struct tcs_point a, struct tcs_point b, struct tcs_point normal,
+	struct tcs_point point)
+{
+	return vector_dot(vector_cross(normal, vector_difference(b, a)),
+		       vector_difference(point, a)) < 0;
+}
+
 /* Whether `point`, projected on the plane, lies inside all three edges. */
 static bool
 is_above(const struct triangle_shape *t, struct tcs_point normal,
 	struct tcs_point point)
 {
-	for (int i = 0; i < 3; i++) {
-		struct tcs_point a = t->corner[i];
-		struct tcs_point edge =
-			vector_difference(t->corner[(i + 1) % 3], a);
-
-		if (vector_dot(vector_cross(normal, edge),
-			    vector_difference(point, a)) < 0)
+	for (int i = 0; i < 3; i++)
+		if (is_outside(t->corner[i], t->corner[(i + 1) % 3], normal,
+			    point))
 			return false;
-	}
 	return true;
 }
 
+/* Only an edge that has the point on its outer side can be nearest. */
 struct tcs_point
 triangle_nearest(const struct triangle_shape *t, struct tcs_point point)
 {
 	struct tcs_point normal = triangle_normal(t);
 	double square = vector_dot(normal, normal), least = INFINITY;
 	struct tcs_point best = t->corner[0];
+	bool inside = square > 0;
 
-	if (square > 0 && is_above(t, normal, point)) {
-		double height = vector_dot(
-			normal, vector_difference(point, t->corner[0]));
-
-		return vector_along(point, normal, -height / square);
-	}
 	for (int i = 0; i < 3; i++) {
-		struct tcs_point at = segment_nearest(
-			t->corner[i], t->corner[(i + 1) % 3], point);
-		double distance = square_distance(at, point);
+		struct tcs_point a = t->corner[i], b = t->corner[(i + 1) % 3];
+		struct tcs_point at;
+		double distance;
 
+		if (square > 0 && !is_outside(a, b, normal, point))
+			continue;
+		inside = false;
+		at = segment_nearest(a, b, point);
+		distance = square_distance(at, point);
 		if (distance < least) {
 			least = distance;
 			best = at;
 		}
 	}
+	if (inside)
+		return vector_along(point, normal,
+			-vector_dot(normal,
+				vector_difference(point, t->corner[0])) /
+				square);
 	return best;
 }
 

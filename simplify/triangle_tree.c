@@ -322,11 +322,15 @@ struct gap_step {
 	double distance; /* of their boxes, squared */
 };
 
+struct best_gap {
+	double square; /* of it, or of the reach */
+	struct tree_gap gap;
+};
+
 struct gap_walk {
 	struct gap_step stack[BOX_PAIR_STACK];
 	size_t height;
-	double square; /* of the best so far, or of the reach */
-	struct tree_gap gap;
+	struct best_gap best;
 };
 
 static struct gap_step
@@ -348,23 +352,37 @@ push_steps(struct gap_walk *walk, struct gap_step p, struct gap_step q)
 	walk->stack[walk->height++] = nearer ? q : p;
 }
 
+/* One triangle and a leaf; raises the best so far. */
+static void
+gap_of_leaf(const struct triangle_tree *tree, const struct box_node *node,
+	const struct triangle_shape *from, const struct box *box,
+	struct best_gap *best)
+{
+	for (uint32_t i = node->first; i < node->first + node->count; i++) {
+		const struct triangle_shape *shape = &tree->shapes.at[i];
+		struct box other = box_of(shape);
+		struct tcs_point points[2];
+		double distance;
+
+		if (box_gap_squared(box, &other) > best->square)
+			continue;
+		distance = triangle_gap(from, shape, points);
+		if (distance * distance > best->square ||
+			distance >= best->gap.distance)
+			continue;
+		best->square = distance * distance;
+		best->gap = (struct tree_gap){distance, {points[0], points[1]}};
+	}
+}
+
 static void
 gap_of_leaves(const struct triangle_tree *tree, const struct box_node *a,
-	const struct box_node *b, struct gap_walk *walk)
+	const struct box_node *b, struct best_gap *best)
 {
 	for (uint32_t i = a->first; i < a->first + a->count; i++) {
-		for (uint32_t k = b->first; k < b->first + b->count; k++) {
-			struct tcs_point points[2];
-			double distance = triangle_gap(&tree->shapes.at[i],
-				&tree->shapes.at[k], points);
+		struct box box = box_of(&tree->shapes.at[i]);
 
-			if (distance * distance > walk->square ||
-				distance >= walk->gap.distance)
-				continue;
-			walk->square = distance * distance;
-			walk->gap = (struct tree_gap){
-				distance, {points[0], points[1]}};
-		}
+		gap_of_leaf(tree, b, &tree->shapes.at[i], &box, best);
 	}
 }
 
@@ -373,19 +391,18 @@ triangle_tree_gap(const struct triangle_tree *tree, uint32_t a, uint32_t b,
 	double reach, double enough)
 {
 	const struct box_node *nodes = tree->boxes.nodes.at;
-	struct gap_walk walk = {.height = 1,
-		.square = reach * reach,
-		.gap = {.distance = INFINITY}};
+	struct gap_walk walk = {
+		.height = 1, .best = {reach * reach, {.distance = INFINITY}}};
 
 	walk.stack[0] = gap_step_of(tree, a, b);
-	while (walk.height > 0 && walk.gap.distance > enough) {
+	while (walk.height > 0 && walk.best.gap.distance > enough) {
 		struct gap_step step = walk.stack[--walk.height];
 		const struct box_node *m = &nodes[step.a], *n = &nodes[step.b];
 
-		if (step.distance > walk.square)
+		if (step.distance > walk.best.square)
 			continue;
 		if (m->count && n->count)
-			gap_of_leaves(tree, m, n, &walk);
+			gap_of_leaves(tree, m, n, &walk.best);
 		else if (n->count ||
 			(!m->count &&
 				box_diagonal(&m->box) >= box_diagonal(&n->box)))
@@ -395,5 +412,34 @@ triangle_tree_gap(const struct triangle_tree *tree, uint32_t a, uint32_t b,
 			push_steps(&walk, gap_step_of(tree, step.a, n->first),
 				gap_step_of(tree, step.a, n->first + 1));
 	}
-	return walk.gap;
+	return walk.best.gap;
+}
+
+struct tree_gap
+triangle_tree_gap_from(const struct triangle_tree *tree, uint32_t root,
+	const struct triangle_shape *from, double reach)
+{
+	const struct box_node *nodes = tree->boxes.nodes.at;
+	struct best_gap best = {
+		.square = reach * reach, .gap = {.distance = INFINITY}};
+	struct box box = box_of(from);
+	struct walk walk = {.height = 1};
+
+	walk.stack[0] = (struct walk_step){
+		root, box_gap_squared(&nodes[root].box, &box)};
+	while (walk.height > 0 && best.gap.distance > 0) {
+		struct walk_step step = walk.stack[--walk.height];
+		const struct box_node *node = &nodes[step.node];
+
+		if (step.distance > best.square)
+			continue;
+		if (node->count)
+			gap_of_leaf(tree, node, from, &box, &best);
+		else
+			push_children(&walk, node->first,
+				box_gap_squared(&nodes[node->first].box, &box),
+				box_gap_squared(
+					&nodes[node->first + 1].box, &box));
+	}
+	return best.gap;
 }

@@ -65,4 +65,8 @@ struct tree_gap {
 struct tree_gap triangle_tree_gap(const struct triangle_tree *tree, uint32_t a,
 	uint32_t b, double reach, double enough);
 
+/* The distance of one triangle, points[0] on it, from a tree's surface. */
+struct tree_gap triangle_tree_gap_from(const struct triangle_tree *tree,
+	uint32_t root, const struct triangle_shape *from, double reach);
+
 #endif

@@ -187,6 +187,73 @@ the_gap_between_two_trees_is_that_of_brute_force(void)
 	}
 }
 
+static void
+the_gap_of_one_triangle_is_that_of_brute_force(void)
+{
+	static struct scene scene;
+	int reached = 0;
+
+	scene_begin(&scene, 3);
+	for (size_t i = 0; i < TRIANGLES; i += 14) {
+		struct triangle_shape from = shape_at(&scene, i);
+		struct tcs_point points[2];
+		struct tree_gap gap;
+		double least = INFINITY;
+
+		for (size_t k = 1; k < TRIANGLES; k += 2) {
+			struct triangle_shape other = shape_at(&scene, k);
+
+			least = fmin(
+				least, triangle_gap(&from, &other, points));
+		}
+		gap = triangle_tree_gap_from(
+			&scene.tree, scene.roots[1], &from, 0.1);
+		reached += least > 0 && least < 0.1;
+		if (least < 0.0999)
+			CHECK(fabs(gap.distance - least) < 1e-9);
+		else if (least > 0.1001)
+			CHECK(isinf(gap.distance));
+	}
+	CHECK(reached > 0);
+	triangle_tree_release(&scene.tree);
+}
+
+struct near_count {
+	const struct scene *scene;
+	unsigned char seen[TRIANGLES];
+};
+
+static bool
+note_near(void *context, uint32_t position)
+{
+	struct near_count *count = context;
+
+	count->seen[count->scene->tree.boxes.items.at[position]]++;
+	return true;
+}
+
+static void
+what_is_near_a_box_is_visited_once(void)
+{
+	static struct scene scene;
+	const struct box box = {{2, 3, 4}, {5, 4, 6}};
+	struct near_count count = {.scene = &scene};
+
+	scene_begin(&scene, 4);
+	box_tree_near(&scene.tree.boxes, scene.roots[0], &box, 0.5, note_near,
+		&count);
+	for (size_t i = 0; i < TRIANGLES; i++) {
+		struct box own = BOX_EMPTY;
+
+		for (size_t k = 0; k < 3; k++)
+			box_add_point(&own, scene.points[3 * i + k]);
+		CHECK(count.seen[i] <= (i % 2 == 0));
+		if (i % 2 == 0 && box_gap_squared(&own, &box) <= 0.25)
+			CHECK(count.seen[i] == 1);
+	}
+	triangle_tree_release(&scene.tree);
+}
+
 /* ---- pairs -------------------------------------------------------------- */
 
 static bool
@@ -360,6 +427,8 @@ static const struct check_test tests[] = {
 	CHECK_TEST(the_nearest_point_is_that_of_brute_force),
 	CHECK_TEST(the_first_triangle_of_a_ray_is_that_of_brute_force),
 	CHECK_TEST(the_gap_between_two_trees_is_that_of_brute_force),
+	CHECK_TEST(the_gap_of_one_triangle_is_that_of_brute_force),
+	CHECK_TEST(what_is_near_a_box_is_visited_once),
 	CHECK_TEST(every_pair_in_reach_is_visited_once),
 	CHECK_TEST(boxes_that_are_all_alike_make_a_flat_tree),
 	CHECK_TEST(boxes_ever_farther_apart_keep_the_tree_shallow),
