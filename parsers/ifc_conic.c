@@ -13,6 +13,7 @@ ifc_arc_chords(const struct ifc_shaper *shaper, double radius, double sweep)
 {
 	double turn = fabs(sweep) / (PI / 2), quarter = FEWEST_IN_QUARTER;
 
+	radius += shaper->reach;
 	if (shaper->deflection < radius)
 		quarter = ceil(
 			PI / 4 / acos(1 - shaper->deflection / radius) - 1e-9);

@@ -3,7 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "ifc_offset.h"
 #include "ifc_point_list.h"
+#include "ifc_spline.h"
 
 enum { LINE_POINT, LINE_VECTOR };
 
@@ -346,6 +348,20 @@ range_inside(
 	case IFC_OUTERBOUNDARYCURVE:
 		return composite_walk(
 			shaper, curve, -HUGE_VAL, HUGE_VAL, NULL, to);
+	case IFC_BEZIERCURVE:
+	case IFC_RATIONALBEZIERCURVE:
+	case IFC_BSPLINECURVEWITHKNOTS:
+	case IFC_RATIONALBSPLINECURVEWITHKNOTS:
+		return ifc_spline_range(shaper, curve, from, to);
+	case IFC_OFFSETCURVE2D:
+	case IFC_OFFSETCURVE3D:
+		return ifc_curve_range(
+			shaper, ifc_target(shaper->file, curve, 0), from, to);
+	case IFC_SURFACECURVE:
+	case IFC_INTERSECTIONCURVE:
+	case IFC_SEAMCURVE:
+		return ifc_curve_range(
+			shaper, ifc_target(shaper->file, curve, 0), from, to);
 	default:
 		return ifc_refuse(
 			shaper, curve, "a curve of this kind is not known");
@@ -410,6 +426,19 @@ between_inside(struct ifc_shaper *shaper, uint32_t curve, double from,
 	case IFC_BOUNDARYCURVE:
 	case IFC_OUTERBOUNDARYCURVE:
 		return composite_walk(shaper, curve, from, to, out, &range);
+	case IFC_BEZIERCURVE:
+	case IFC_RATIONALBEZIERCURVE:
+	case IFC_BSPLINECURVEWITHKNOTS:
+	case IFC_RATIONALBSPLINECURVEWITHKNOTS:
+		return ifc_spline_between(shaper, curve, from, to, out);
+	case IFC_OFFSETCURVE2D:
+	case IFC_OFFSETCURVE3D:
+		return ifc_offset_between(shaper, curve, from, to, out);
+	case IFC_SURFACECURVE:
+	case IFC_INTERSECTIONCURVE:
+	case IFC_SEAMCURVE:
+		return ifc_curve_between(shaper,
+			ifc_target(shaper->file, curve, 0), from, to, out);
 	default:
 		return ifc_refuse(
 			shaper, curve, "a curve of this kind is not known");
@@ -431,6 +460,18 @@ ifc_curve_between(struct ifc_shaper *shaper, uint32_t curve, double from,
 	if (!outcome && from > to)
 		points_reverse(out, first);
 	return outcome;
+}
+
+static enum ifc_outcome
+offset_points(struct ifc_shaper *shaper, uint32_t curve, struct ifc_points *out)
+{
+	enum ifc_outcome outcome;
+	double from, to;
+
+	outcome = ifc_curve_range(
+		shaper, ifc_target(shaper->file, curve, 0), &from, &to);
+	return outcome ? outcome
+		       : ifc_offset_between(shaper, curve, from, to, out);
 }
 
 /* All of a curve whose instance was entered. */
@@ -458,6 +499,20 @@ points_inside(struct ifc_shaper *shaper, uint32_t curve, struct ifc_points *out)
 			shaper, curve, -HUGE_VAL, HUGE_VAL, out, &range);
 	case IFC_LINE:
 		return ifc_refuse(shaper, curve, "a line has no ends");
+	case IFC_BEZIERCURVE:
+	case IFC_RATIONALBEZIERCURVE:
+	case IFC_BSPLINECURVEWITHKNOTS:
+	case IFC_RATIONALBSPLINECURVEWITHKNOTS:
+		return ifc_spline_between(
+			shaper, curve, -HUGE_VAL, HUGE_VAL, out);
+	case IFC_OFFSETCURVE2D:
+	case IFC_OFFSETCURVE3D:
+		return offset_points(shaper, curve, out);
+	case IFC_SURFACECURVE:
+	case IFC_INTERSECTIONCURVE:
+	case IFC_SEAMCURVE:
+		return ifc_curve_points(
+			shaper, ifc_target(shaper->file, curve, 0), out);
 	default:
 		return ifc_refuse(
 			shaper, curve, "a curve of this kind is not known");

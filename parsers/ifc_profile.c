@@ -145,6 +145,8 @@ faces_inside(struct ifc_shaper *shaper, uint32_t profile, struct ifc_faces *out)
 	case IFC_ARBITRARYPROFILEDEFWITHVOIDS:
 		outcome = arbitrary(shaper, profile, out);
 		return outcome ? outcome : ifc_face_end(shaper, out);
+	case IFC_CENTERLINEPROFILEDEF:
+		return ifc_profile_strip(shaper, profile, out);
 	case IFC_COMPOSITEPROFILEDEF:
 		return composite(shaper, profile, out);
 	case IFC_DERIVEDPROFILEDEF:

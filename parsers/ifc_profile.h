@@ -56,4 +56,14 @@ enum ifc_outcome ifc_profile_plain(struct ifc_shaper *shaper, uint32_t profile,
 enum ifc_outcome ifc_profile_steel(struct ifc_shaper *shaper, uint32_t profile,
 	struct ifc_faces *out) TCS_CHECKED;
 
+/* ---- ifc_profile_strip.c ------------------------------------------------- */
+
+/*
+ * IfcCenterLineProfileDef: as wide as its thickness, half of it to each side of
+ * its curve, with mitres at corners and square ends. A closed curve makes a
+ * face with a hole.
+ */
+enum ifc_outcome ifc_profile_strip(struct ifc_shaper *shaper, uint32_t profile,
+	struct ifc_faces *out) TCS_CHECKED;
+
 #endif

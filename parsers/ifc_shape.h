@@ -36,6 +36,8 @@ struct ifc_shaper {
 	double angle; /* radians of the file's unit of plane angles */
 	double deflection; /* most that a chord may be off its curve */
 	double precision; /* points nearer than this are one */
+	double reach; /* how far beside curves the things go that are made along
+	                 them now; chords answer for these, too */
 	unsigned depth; /* 0 between products */
 	uint64_t points; /* made for this product */
 	const char *reason; /* why it was refused: static text */

@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "ifc_curve.h"
+#include "ifc_spline.h"
 
 enum { BASIS, FIRST, SECOND, SENSE, MASTER };
 
@@ -92,8 +93,8 @@ polyline_parameter(struct ifc_shaper *shaper, uint32_t curve,
 	return outcome;
 }
 
-static enum ifc_outcome
-point_parameter(struct ifc_shaper *shaper, uint32_t basis,
+enum ifc_outcome
+ifc_curve_locate(struct ifc_shaper *shaper, uint32_t basis,
 	struct tcs_point point, double *out)
 {
 	struct tcs_point start, direction;
@@ -117,6 +118,11 @@ point_parameter(struct ifc_shaper *shaper, uint32_t basis,
 	case IFC_POLYLINE:
 	case IFC_INDEXEDPOLYCURVE:
 		return polyline_parameter(shaper, basis, point, out);
+	case IFC_BEZIERCURVE:
+	case IFC_RATIONALBEZIERCURVE:
+	case IFC_BSPLINECURVEWITHKNOTS:
+	case IFC_RATIONALBSPLINECURVEWITHKNOTS:
+		return ifc_spline_nearest(shaper, basis, point, out);
 	default:
 		return ifc_refuse(shaper, basis,
 			"a curve of this kind is not trimmed by points");
@@ -128,7 +134,7 @@ trim_parameter(struct ifc_shaper *shaper, uint32_t trimmed,
 	const struct trim *trim, bool by_point, double *out)
 {
 	if (trim->has_point && (by_point || !trim->has_parameter))
-		return point_parameter(shaper,
+		return ifc_curve_locate(shaper,
 			ifc_target(shaper->file, trimmed, BASIS), trim->point,
 			out);
 	*out = trim->parameter;
