@@ -49,7 +49,7 @@ libs := -lxml2 -lproj -lGLU -ljansson -ltinygltf -ldeflate -lz -lm
 
 # A program is the file with its main, what it needs of the other files of its
 # folder, and what it needs of lib/. Those whose main is there are built.
-all_programs := parsers/citygml2tcs parsers/json2tcs \
+all_programs := parsers/citygml2tcs parsers/ifc2tcs parsers/json2tcs \
 	simplify/tcs-compare writers/tcs2json \
 	writers/tcs2gltf writers/tcs2citygml tessera
 programs := $(patsubst %.c,%,$(wildcard $(addsuffix .c,$(all_programs))))

@@ -65,6 +65,28 @@ ifc_same_point(
 		fabs(a.z - b.z) <= shaper->precision;
 }
 
+static struct tcs_point
+minus(struct tcs_point a, struct tcs_point b)
+{
+	return (struct tcs_point){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+struct tcs_point
+ifc_ring_normal2(const struct tcs_point *points, size_t count)
+{
+	struct tcs_point sum = {0, 0, 0};
+
+	for (size_t i = 2; i < count; i++) {
+		struct tcs_point a = minus(points[i - 1], points[0]);
+		struct tcs_point b = minus(points[i], points[0]);
+
+		sum.x += a.y * b.z - a.z * b.y;
+		sum.y += a.z * b.x - a.x * b.z;
+		sum.z += a.x * b.y - a.y * b.x;
+	}
+	return sum;
+}
+
 /* ---- building faces ------------------------------------------------------ */
 
 static size_t
@@ -132,8 +154,37 @@ ifc_face_end(struct ifc_shaper *shaper, struct ifc_faces *faces)
 		return IFC_NO_MEMORY;
 	faces->faces.at[faces->faces.count++] =
 		(struct ifc_face){(uint32_t)points, (uint32_t)rings,
-			(uint32_t)(faces->rings.count - rings)};
+			(uint32_t)(faces->rings.count - rings), 0};
 	return IFC_SHAPED;
+}
+
+static void
+holes_wind(struct ifc_faces *faces, const struct ifc_face *face)
+{
+	struct tcs_point *points = faces->points.at + face->first_point;
+	struct tcs_point outer, hole;
+
+	outer = ifc_ring_normal2(points, faces->rings.at[face->first_ring]);
+	for (uint32_t i = 1; i < face->ring_count; i++) {
+		size_t count = faces->rings.at[face->first_ring + i];
+
+		points += faces->rings.at[face->first_ring + i - 1];
+		hole = ifc_ring_normal2(points, count);
+		if (outer.x * hole.x + outer.y * hole.y + outer.z * hole.z > 0)
+			ifc_ring_reverse(points, count);
+	}
+}
+
+enum ifc_outcome
+ifc_face_end_wound(struct ifc_shaper *shaper, struct ifc_faces *faces)
+{
+	size_t before = faces->faces.count;
+	enum ifc_outcome outcome = ifc_face_end(shaper, faces);
+
+	if (!outcome && faces->faces.count > before &&
+		faces->faces.at[before].ring_count > 1)
+		holes_wind(faces, faces->faces.at + before);
+	return outcome;
 }
 
 void
@@ -261,12 +312,6 @@ triple_product(struct tcs_point a, struct tcs_point b, struct tcs_point c)
 {
 	return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
 		a.z * (b.x * c.y - b.y * c.x);
-}
-
-static struct tcs_point
-minus(struct tcs_point a, struct tcs_point b)
-{
-	return (struct tcs_point){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 double

@@ -31,6 +31,9 @@ enum {
 	IFC_MOST_POINTS = 1 << 24, /* that one product may have */
 };
 
+struct ifc_scratch;
+struct ifc_styles;
+
 struct ifc_shaper {
 	const struct ifc_file *file; /* borrowed */
 	double angle; /* radians of the file's unit of plane angles */
@@ -40,8 +43,10 @@ struct ifc_shaper {
 	                 them now; chords answer for these, too */
 	unsigned depth; /* 0 between products */
 	uint64_t points; /* made for this product */
+	const struct ifc_styles *styles; /* borrowed; NULL: no colours */
 	const char *reason; /* why it was refused: static text */
 	uint32_t culprit; /* the instance refused */
+	struct ifc_scratch *scratch; /* see ifc_item.h */
 };
 
 TCS_ARRAY_TYPE(ifc_points, struct tcs_point);
@@ -54,6 +59,7 @@ struct ifc_face {
 	uint32_t first_point;
 	uint32_t first_ring;
 	uint32_t ring_count;
+	uint32_t paint; /* 1 + the material of the stream; 0: none of its own */
 };
 
 /* Faces of a solid wind counterclockwise seen from outside. */
@@ -93,6 +99,10 @@ enum ifc_outcome ifc_ring_end(struct ifc_shaper *shaper,
 enum ifc_outcome ifc_face_end(
 	struct ifc_shaper *shaper, struct ifc_faces *faces) TCS_CHECKED;
 
+/* The same, with the holes turned against the outer ring. */
+enum ifc_outcome ifc_face_end_wound(
+	struct ifc_shaper *shaper, struct ifc_faces *faces) TCS_CHECKED;
+
 /* Points that no ring has taken yet. */
 size_t ifc_faces_loose(const struct ifc_faces *faces);
 
@@ -120,6 +130,9 @@ void ifc_faces_reverse(struct ifc_faces *faces, size_t first_face);
 /* Place the faces; a matrix that mirrors turns them over, too. */
 void ifc_faces_transform(struct ifc_faces *faces, size_t first_face,
 	const struct ifc_matrix *matrix);
+
+/* The vector area, twice, of a ring (Newell's). */
+struct tcs_point ifc_ring_normal2(const struct tcs_point *points, size_t count);
 
 /* Six times the volume that the faces from `first_face` on enclose. */
 double ifc_faces_volume6(const struct ifc_faces *faces, size_t first_face);

@@ -1,0 +1,85 @@
+/* IFC to a component stream: the option table and the loop. */
+#include "ifc_convert.h"
+#include "output.h"
+
+static enum tcs_status
+run(const struct command *command, const struct ifc_options *options,
+	struct report *report, struct tcs_fault *fault)
+{
+	struct output output = {0};
+	struct input input = {0};
+	enum tcs_status status;
+
+	status = input_open(&input, command->input, fault);
+	if (status)
+		return status;
+	status = output_open(&output, command->output, fault);
+	if (!status)
+		status = ifc_convert(
+			&input, output.file, options, command, report, fault);
+	input_close(&input);
+	if (!status)
+		status = output_commit(&output, fault);
+	output_discard(&output);
+	return status;
+}
+
+int
+main(int argc, char **argv)
+{
+	struct ifc_options options = {.deflection = 0.001};
+	const struct option_row rows[] = {
+		{.type = OPTION_FLAG,
+			.name = "local",
+			.help = "Keep the file's own coordinates, in metres, "
+				"whatever place on the map it tells.",
+			.target = &options.local},
+		{.type = OPTION_FLAG,
+			.name = "no-spaces",
+			.help = "Leave out rooms and other spaces.",
+			.target = &options.no_spaces},
+		{.type = OPTION_NUMBER,
+			.name = "deflection",
+			.argument = "METRES",
+			.help = "Let chords be off their curves by this much "
+				"at most (default: 0.001).",
+			.target = &options.deflection,
+			.low = 1e-6,
+			.high = 1000},
+		{.type = OPTION_FLAG,
+			.letter = 'z',
+			.name = "compress",
+			.help = "Compress the records, for storage.",
+			.target = &options.compress},
+		{.type = OPTION_BYTES,
+			.name = "max-bytes",
+			.argument = "N",
+			.help = "Fail when the file, unpacked, is longer than "
+				"N bytes (default: no limit).",
+			.target = &options.max_bytes},
+		{0},
+	};
+	const struct program program = {
+		.name = "ifc2tcs",
+		.synopsis = "[options] [in [out]]",
+		.summary = "Read IFC, write a component stream.",
+		.options = rows,
+		.flags = PROGRAM_READS | PROGRAM_BINARY_OUT,
+	};
+	struct report report = {0};
+	struct tcs_fault fault;
+	struct command command;
+	int exit_status = EXIT_DONE;
+
+	program_begin(&program, argc, argv, &command);
+	if (run(&command, &options, &report, &fault))
+		exit_status = program_fail(&command, &fault);
+	if (!command.quiet)
+		report_print(&report, program.name, stderr);
+	if (command.stats && exit_status == EXIT_DONE &&
+		report_write(&report, program.name, command.stats, &fault))
+		exit_status = program_fail(&command, &fault);
+	report_release(&report);
+	program_end(&command);
+	return exit_status;
+}

@@ -1,0 +1,279 @@
+#include "ifc_convert.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "crew.h"
+#include "ifc_features.h"
+#include "ifc_head.h"
+#include "ifc_product.h"
+#include "progress.h"
+#include "step_load.h"
+
+enum { BATCH = 16, COMPRESSION_LEVEL = 6 };
+
+/* Some members of one object on their way through the crew. */
+struct slot {
+	uint32_t object;
+	uint32_t first, count; /* members */
+	bool begins, ends; /* the object */
+	struct tcs_object piece;
+	struct tcs_record record; /* of an object in one piece */
+	struct report report;
+};
+
+struct convert {
+	const struct ifc_options *options;
+	const struct command *command;
+	struct report *report;
+	struct progress progress;
+	struct step_bytes text;
+	struct ifc_model model;
+	struct ifc_georeference place;
+	struct tcs_writer writer;
+	struct ifc_worker *workers; /* one per job */
+	struct slot *slots;
+	size_t slot_count;
+	uint32_t next_object, next_member; /* to be read */
+	struct tcs_object object; /* being put together */
+	struct tcs_record record;
+	uint64_t written; /* members */
+};
+
+/* ---- the crew ------------------------------------------------------------ */
+
+static enum tcs_status
+convert_read(void *context, void *item, bool *done, struct tcs_fault *fault)
+{
+	struct convert *convert = context;
+	const struct ifc_objects *objects = &convert->model.objects;
+	struct slot *slot = item;
+	uint32_t left;
+
+	(void)fault;
+	if (convert->next_object == objects->objects.count) {
+		*done = true;
+		return TCS_OK;
+	}
+	left = objects->objects.at[convert->next_object].member_count -
+		convert->next_member;
+	slot->object = convert->next_object;
+	slot->first = convert->next_member;
+	slot->count = left < BATCH ? left : BATCH;
+	slot->begins = slot->first == 0;
+	slot->ends = slot->count == left;
+	convert->next_member += slot->count;
+	if (slot->ends) {
+		convert->next_object++;
+		convert->next_member = 0;
+	}
+	return TCS_OK;
+}
+
+static enum tcs_status
+convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
+{
+	struct convert *convert = context;
+	const struct ifc_model *model = &convert->model;
+	struct slot *slot = item;
+	const struct ifc_object *object =
+		model->objects.objects.at + slot->object;
+	const struct ifc_member *members =
+		model->objects.members.at + object->first_member;
+	enum tcs_status status = TCS_OK;
+
+	object_clear(&slot->piece);
+	report_clear(&slot->report);
+	if (slot->begins)
+		status = ifc_features_write(model, object, &slot->piece, fault);
+	for (uint32_t i = slot->first; i < slot->first + slot->count && !status;
+		i++)
+		status = ifc_product_shape(convert->workers + worker,
+			members[i].node, i, &slot->piece, &slot->report, fault);
+	if (!status && slot->begins && slot->ends)
+		status = object_encode(
+			&slot->piece, TCS_OBJECT, &slot->record, fault);
+	return status;
+}
+
+/* Put the slot's piece behind what there is of the object. */
+static enum tcs_status
+piece_take(struct convert *convert, struct slot *slot, struct tcs_fault *fault)
+{
+	struct tcs_object swap;
+
+	if (!slot->begins)
+		return ifc_geometries_append(
+			&convert->object, &slot->piece, fault);
+	swap = convert->object;
+	convert->object = slot->piece;
+	slot->piece = swap;
+	return TCS_OK;
+}
+
+static enum tcs_status
+convert_write(void *context, void *item, struct tcs_fault *fault)
+{
+	struct convert *convert = context;
+	struct slot *slot = item;
+	const struct tcs_record *record = &slot->record;
+	enum tcs_status status;
+
+	status = report_merge(convert->report, &slot->report, fault);
+	if (!status && convert->command->strict)
+		status = report_strict(convert->report, fault);
+	convert->written += slot->count;
+	progress_show(&convert->progress, convert->written, convert->written,
+		convert->model.objects.members.count);
+	if (!status && !(slot->begins && slot->ends)) {
+		status = piece_take(convert, slot, fault);
+		if (status || !slot->ends)
+			return status;
+		status = object_encode(
+			&convert->object, TCS_OBJECT, &convert->record, fault);
+		record = &convert->record;
+	}
+	return status ? status : writer_put(&convert->writer, record, fault);
+}
+
+/* ---- the passes ---------------------------------------------------------- */
+
+static enum tcs_status
+head_write(struct convert *convert, struct tcs_fault *fault)
+{
+	const struct tcs_palette *palette = &convert->model.styles.palette;
+	struct tcs_head head = {0};
+	enum tcs_status status = ifc_head_build(&head, &convert->model,
+		&convert->place, convert->command, fault);
+
+	if (!status)
+		status = head_encode(&head, &convert->record, fault);
+	if (!status)
+		status = writer_put(&convert->writer, &convert->record, fault);
+	if (!status && palette->materials.count) {
+		status = palette_encode(palette, &convert->record, fault);
+		if (!status)
+			status = writer_put(
+				&convert->writer, &convert->record, fault);
+	}
+	head_release(&head);
+	return status;
+}
+
+static enum tcs_status
+crew_begin(struct convert *convert, struct tcs_fault *fault)
+{
+	unsigned jobs = convert->command->jobs;
+	enum tcs_status status = TCS_OK;
+
+	convert->slot_count = crew_slots(jobs);
+	convert->slots = calloc(convert->slot_count, sizeof *convert->slots);
+	convert->workers = calloc(jobs, sizeof *convert->workers);
+	if (!convert->slots || !convert->workers)
+		return fault_memory(fault);
+	for (unsigned i = 0; i < jobs && !status; i++)
+		status = ifc_worker_begin(convert->workers + i, &convert->model,
+			&convert->place.world, convert->options->deflection,
+			fault);
+	return status;
+}
+
+static enum tcs_status
+run(struct convert *convert, struct input *input, struct tcs_fault *fault)
+{
+	unsigned keep =
+		convert->options->no_spaces ? IFC_KEEP_NO_SPACES : IFC_KEEP_ALL;
+	struct crew_plan plan = {.context = convert,
+		.slot_size = sizeof *convert->slots,
+		.read = convert_read,
+		.work = convert_work,
+		.write = convert_write};
+	enum tcs_status status;
+
+	status = step_load(
+		&convert->text, input, convert->options->max_bytes, fault);
+	if (!status)
+		status = ifc_model_read(&convert->model, convert->text.at,
+			convert->text.count, keep, convert->report, fault);
+	if (status)
+		return status;
+	ifc_georeference_read(&convert->model.file, &convert->model.units,
+		convert->options->local, &convert->place);
+	status = head_write(convert, fault);
+	if (!status)
+		status = crew_begin(convert, fault);
+	plan.slots = convert->slots;
+	plan.slot_count = convert->slot_count;
+	if (!status)
+		status = crew_run(&plan, convert->command->jobs, fault);
+	if (!status && convert->command->strict)
+		status = report_strict(convert->report, fault);
+	return status ? status : writer_end(&convert->writer, fault);
+}
+
+/* ---- life ---------------------------------------------------------------- */
+
+static enum tcs_status
+counts_report(struct convert *convert, struct tcs_fault *fault)
+{
+	const struct tcs_tally *tally = &convert->writer.tally;
+	enum tcs_status status =
+		report_add(convert->report, "objects", tally->objects, fault);
+
+	if (!status)
+		status = report_add(
+			convert->report, "features", tally->features, fault);
+	if (!status)
+		status = report_add(
+			convert->report, "polygons", tally->polygons, fault);
+	if (!status)
+		status = report_add(
+			convert->report, "triangles", tally->triangles, fault);
+	return status;
+}
+
+static void
+convert_end(struct convert *convert)
+{
+	progress_end(&convert->progress);
+	for (size_t i = 0; convert->slots && i < convert->slot_count; i++) {
+		object_release(&convert->slots[i].piece);
+		record_release(&convert->slots[i].record);
+		report_release(&convert->slots[i].report);
+	}
+	free(convert->slots);
+	for (unsigned i = 0; convert->workers && i < convert->command->jobs;
+		i++)
+		ifc_worker_end(convert->workers + i);
+	free(convert->workers);
+	object_release(&convert->object);
+	record_release(&convert->record);
+	writer_release(&convert->writer);
+	ifc_model_release(&convert->model);
+	array_release(&convert->text);
+}
+
+enum tcs_status
+ifc_convert(struct input *input, FILE *file, const struct ifc_options *options,
+	const struct command *command, struct report *report,
+	struct tcs_fault *fault)
+{
+	struct convert *convert = calloc(1, sizeof *convert);
+	enum tcs_status status;
+
+	if (!convert)
+		return fault_memory(fault);
+	convert->options = options;
+	convert->command = command;
+	convert->report = report;
+	writer_init(&convert->writer, file,
+		options->compress ? COMPRESSION_LEVEL : 0);
+	progress_begin(&convert->progress, command->program->name, "products",
+		command->quiet);
+	status = run(convert, input, fault);
+	if (!status)
+		status = counts_report(convert, fault);
+	convert_end(convert);
+	free(convert);
+	return status;
+}

@@ -1,0 +1,23 @@
+/*
+ * Features of the stream out of the members of an object: ids, classes, names,
+ * relations.
+ */
+#ifndef TESSERA_IFC_FEATURES_H
+#define TESSERA_IFC_FEATURES_H
+
+#include "ifc_model.h"
+
+/*
+ * Write the features of an object to `out`, which is empty: feature n is the
+ * n-th member. Fails with TCS_NO_MEMORY or TCS_LIMIT.
+ */
+enum tcs_status ifc_features_write(const struct ifc_model *model,
+	const struct ifc_object *object, struct tcs_object *out,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Append the decoded text of a string; nothing, and 0, for another value. */
+enum tcs_status ifc_text_add(struct tcs_object *out,
+	const struct step_value *value, tcs_text *text,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+#endif

@@ -1,0 +1,108 @@
+/*
+ * Representation items as faces: the one entry for all of them, and the files
+ * that each know a kind.
+ *
+ * source: ISO 16739-1 8.8 (geometric models), 8.9 (geometry), 8.17 (topology).
+ */
+#ifndef TESSERA_IFC_ITEM_H
+#define TESSERA_IFC_ITEM_H
+
+#include "ifc_shape.h"
+
+enum ifc_part_kind {
+	IFC_PART_SOLID, /* faces that enclose a solid, looking outwards */
+	IFC_PART_VOID, /* … a void of the solid before, looking into it */
+	IFC_PART_SURFACE, /* faces that need not enclose anything */
+};
+
+/* The faces from here to the next part's. */
+struct ifc_part {
+	uint32_t first_face;
+	enum ifc_part_kind kind;
+	uint32_t item; /* the instance */
+};
+
+/* What a representation becomes; all zero is empty. */
+struct ifc_body {
+	struct ifc_faces faces;
+	TCS_ARRAY(struct ifc_part) parts;
+};
+
+/* One shaper's memory for steps in between, reused. */
+struct ifc_scratch {
+	struct ifc_faces profile;
+	struct ifc_points points;
+};
+
+enum tcs_status ifc_scratch_new(
+	struct ifc_scratch **out, struct tcs_fault *fault) TCS_CHECKED;
+void ifc_scratch_free(struct ifc_scratch *scratch);
+
+void ifc_body_clear(struct ifc_body *body);
+void ifc_body_release(struct ifc_body *body);
+
+/* Take back the parts from `first_part` on, with their faces. */
+void ifc_body_cut(struct ifc_body *body, size_t first_part);
+
+/* Where the faces of a part end. */
+size_t ifc_part_end(const struct ifc_body *body, size_t part);
+
+/* Begin a part behind the faces there are. */
+enum ifc_outcome ifc_part_begin(struct ifc_body *body, enum ifc_part_kind kind,
+	uint32_t item) TCS_CHECKED;
+
+/*
+ * Append the parts of a representation item, painted with its style and those
+ * of the items within it. Curves and points, which have no faces, append
+ * nothing; so a GeometricSet gives its surfaces only.
+ */
+enum ifc_outcome ifc_item_body(struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_body *out) TCS_CHECKED;
+
+/*
+ * Paint the faces from `first_face` on that have no paint with the style of an
+ * item, if it has one.
+ */
+void ifc_item_paint(const struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_faces *faces, size_t first_face);
+
+/* ---- ifc_sweep.c --------------------------------------------------------- */
+
+/* IfcExtrudedAreaSolid. */
+enum ifc_outcome ifc_extrusion(struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_body *out) TCS_CHECKED;
+
+/* IfcRevolvedAreaSolid. */
+enum ifc_outcome ifc_revolution(struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_body *out) TCS_CHECKED;
+
+/* ---- ifc_brep.c ---------------------------------------------------------- */
+
+/* IfcFacetedBrep, with voids or not. */
+enum ifc_outcome ifc_brep(struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_body *out) TCS_CHECKED;
+
+/* IfcFaceBasedSurfaceModel and IfcShellBasedSurfaceModel. */
+enum ifc_outcome ifc_surface_model(struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_body *out) TCS_CHECKED;
+
+/* ---- ifc_faceset.c ------------------------------------------------------- */
+
+/* IfcPolygonalFaceSet and IfcTriangulatedFaceSet. */
+enum ifc_outcome ifc_faceset(struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_body *out) TCS_CHECKED;
+
+/* ---- ifc_mapped.c -------------------------------------------------------- */
+
+/*
+ * What an IfcMappedItem maps: the representation, and the matrix from its
+ * coordinates to the item's.
+ */
+enum ifc_outcome ifc_mapped_read(struct ifc_shaper *shaper, uint32_t item,
+	uint32_t *representation, struct ifc_matrix *matrix) TCS_CHECKED;
+
+/* IfcMappedItem, baked. */
+enum ifc_outcome ifc_mapped(struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_body *out) TCS_CHECKED;
+
+#endif
