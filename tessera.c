@@ -39,12 +39,15 @@ static const struct format formats[] = {
 
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-/* An option handed on to the first stage of the pipe that takes it. */
+/* An option handed on to the first stage of the pipe that takes it, or to all
+ * that do. */
 struct passed {
 	const char *name; /* without its dashes; NULL ends a table */
 	const char *argument, *help;
 	const char *takers[MAX_TAKERS];
 	const char *value; /* as given; NULL: not given */
+	bool by_all;
+	bool taken; /* by a stage of the pipe */
 };
 
 /* What to run, and how. */
@@ -143,7 +146,7 @@ takes(const struct passed *passed, const char *program)
 	return false;
 }
 
-/* A stage with the passed options it is the first to take. */
+/* A stage with the passed options that it takes; most only the first does. */
 static enum tcs_status
 add_stage(struct plan *plan, const char *program, struct passed *passed,
 	struct tcs_fault *fault)
@@ -158,7 +161,9 @@ add_stage(struct plan *plan, const char *program, struct passed *passed,
 			continue;
 		snprintf(option, sizeof option, "--%s", passed->name);
 		status = add_option(plan, stage, option, passed->value, fault);
-		passed->value = NULL;
+		passed->taken = true;
+		if (!passed->by_all)
+			passed->value = NULL;
 	}
 	if (!status && plan->to && !strcmp(program, "tcs2gltf"))
 		status = add_option(plan, stage, "--format", plan->to, fault);
@@ -221,16 +226,16 @@ make_plan(struct plan *plan, struct passed *passed, struct tcs_fault *fault)
 	if (!*reader && !*writer)
 		program_usage(
 			command, "from .tcs to .tcs there is nothing to do");
-	if (!strcmp(writer, "tcs2gltf"))
-		choose_images(plan, passed);
 	if (!strcmp(reader, "citygml2tcs") && !strcmp(writer, "tcs2citygml"))
 		choose_levels(passed);
 	if (*reader)
 		status = add_stage(plan, reader, passed, fault);
+	if (!strcmp(writer, "tcs2gltf"))
+		choose_images(plan, passed);
 	if (!status && *writer)
 		status = add_stage(plan, writer, passed, fault);
 	for (; !status && passed->name; passed++)
-		if (passed->value)
+		if (passed->value && !passed->taken)
 			program_usage(command,
 				"no stage of this pipe takes --%s",
 				passed->name);
@@ -419,39 +424,43 @@ static const struct passed passed_options[] = {
 	{"lod", "LIST",
 		"Levels of detail to take (default: the highest of each "
 		"feature; to CityGML: all).",
-		{"citygml2tcs", "tcs2gltf"}, NULL},
+		{"citygml2tcs", "tcs2gltf"}, .value = NULL},
 	{"ade", "HOW", "What extensions of CityGML add: keep, drop.",
-		{"citygml2tcs"}, NULL},
+		{"citygml2tcs"}, .value = NULL},
 	{"max-bytes", "N", "Longest document to read, uncompressed.",
-		{"citygml2tcs"}, NULL},
+		{"citygml2tcs"}, .value = NULL},
 	{"max-feature", "N", "Longest top-level feature to read.",
-		{"citygml2tcs"}, NULL},
+		{"citygml2tcs"}, .value = NULL},
 	{"max-tag", "N", "Longest tag or comment to read.", {"citygml2tcs"},
-		NULL},
+		.value = NULL},
 	{"max-depth", "N", "Deepest nesting of elements to read.",
-		{"citygml2tcs"}, NULL},
+		{"citygml2tcs"}, .value = NULL},
 	{"max-record", "BYTES", "Largest record of the stream.",
-		{"json2tcs", "tcs2json", "tcs2gltf", "tcs2citygml"}, NULL},
+		{"json2tcs", "tcs2json", "tcs2gltf", "tcs2citygml"},
+		.value = NULL},
 	{"citygml", "VERSION", "CityGML to write: 1.0, 2.0, 3.0.",
-		{"tcs2citygml"}, NULL},
+		{"tcs2citygml"}, .value = NULL},
 	{"max-triangles", "N", "Most triangles of one object.", {"tcs2gltf"},
-		NULL},
+		.value = NULL},
 	{"max-columns", "N", "Most columns of attributes in a table.",
-		{"tcs2gltf"}, NULL},
-	{"theme", "NAME", "Appearance theme for colours.", {"tcs2gltf"}, NULL},
+		{"tcs2gltf"}, .value = NULL},
+	{"theme", "NAME", "Appearance theme for colours.", {"tcs2gltf"},
+		.value = NULL},
 	{"textures", "WHICH", "Texture images: keep, drop.", {"tcs2gltf"},
-		NULL},
+		.value = NULL},
 	{"images", "DIR",
 		"Folder of the texture images (default: that of the input).",
-		{"tcs2gltf"}, NULL},
-	{"max-image", "BYTES", "Largest texture image.", {"tcs2gltf"}, NULL},
+		{"citygml2tcs", "tcs2gltf"}, .by_all = true},
+	{"max-image", "BYTES", "Largest texture image.", {"tcs2gltf"},
+		.value = NULL},
 	{"instances", "HOW", "Repeated shapes: baked, nodes, gpu.",
-		{"tcs2gltf"}, NULL},
-	{"normals", "KIND", "Normals: flat, smooth, none.", {"tcs2gltf"}, NULL},
+		{"tcs2gltf"}, .value = NULL},
+	{"normals", "KIND", "Normals: flat, smooth, none.", {"tcs2gltf"},
+		.value = NULL},
 	{"crease", "DEGREES", "Angle from which smooth normals keep an edge.",
-		{"tcs2gltf"}, NULL},
+		{"tcs2gltf"}, .value = NULL},
 	{"origin", "PLACE", "Where the origin stands: extras, translation.",
-		{"tcs2gltf"}, NULL},
+		{"tcs2gltf"}, .value = NULL},
 };
 
 enum {

@@ -1,5 +1,6 @@
 /* CityGML to a component stream: the option table and the loop. */
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "citygml_convert.h"
@@ -39,6 +40,33 @@ parse_ade(void *target, const char *argument)
 	*drop = !strcmp(argument, "drop");
 	return *drop || !strcmp(argument, "keep") ? NULL
 						  : "neither keep nor drop";
+}
+
+/* The folder of a file: "." without a slash in its name; the caller frees. */
+static char *
+folder_of(const char *name)
+{
+	const char *slash = strrchr(name, '/');
+
+	if (!slash)
+		return strdup(".");
+	return strndup(name, slash == name ? 1 : (size_t)(slash - name));
+}
+
+/* What is read from a pipe has no folder, unless one is given. */
+static enum tcs_status
+choose_folder(struct convert_options *options, const struct command *command,
+	char **own, struct tcs_fault *fault)
+{
+	const char *given = options->reading.folder;
+
+	*own = NULL;
+	if (given && !*given)
+		options->reading.folder = NULL;
+	if (given || !command->input || !strcmp(command->input, "-"))
+		return TCS_OK;
+	options->reading.folder = *own = folder_of(command->input);
+	return *own ? TCS_OK : fault_memory(fault);
 }
 
 static enum tcs_status
@@ -89,6 +117,12 @@ main(int argc, char **argv)
 				"drop.",
 			.target = &options.reading.drop_extensions,
 			.parse = parse_ade},
+		{.type = OPTION_TEXT,
+			.name = "images",
+			.argument = "DIR",
+			.help = "Folder of the images and other files that the "
+				"document names (default: its own).",
+			.target = &options.reading.folder},
 		{.type = OPTION_FLAG,
 			.letter = 'z',
 			.name = "compress",
@@ -132,10 +166,12 @@ main(int argc, char **argv)
 	struct report report = {0};
 	struct tcs_fault fault;
 	struct command command;
+	char *folder;
 	int exit_status = EXIT_DONE;
 
 	program_begin(&program, argc, argv, &command);
-	if (run(&command, &options, max_bytes, &report, &fault))
+	if (choose_folder(&options, &command, &folder, &fault) ||
+		run(&command, &options, max_bytes, &report, &fault))
 		exit_status = program_fail(&command, &fault);
 	if (!command.quiet)
 		report_print(&report, program.name, stderr);
@@ -143,6 +179,7 @@ main(int argc, char **argv)
 		report_write(&report, program.name, command.stats, &fault))
 		exit_status = program_fail(&command, &fault);
 	report_release(&report);
+	free(folder);
 	program_end(&command);
 	return exit_status;
 }

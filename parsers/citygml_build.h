@@ -86,11 +86,16 @@ enum tcs_status rings_read(struct builder *builder,
  */
 int numbers_of(const char *at, size_t length, double *out, size_t want);
 
-/* ---- citygml_paint.c ---------------------------------------------------- */
+/* ---- citygml_paint_links.c ---------------------------------------------- */
 
-/* Add what global appearances put on the targets of the object; once. */
+/*
+ * Add what global appearances put on the targets of the object, and follow the
+ * links of its paints; once.
+ */
 enum tcs_status paints_fetch(const struct build_plan *plan,
 	struct raw_object *raw, struct tcs_fault *fault) TCS_CHECKED;
+
+/* ---- citygml_paint.c ---------------------------------------------------- */
 
 /*
  * After links_resolve: all paints of the object, sorted by polygon. Targets

@@ -340,7 +340,8 @@ read_appearances(struct convert *convert, struct tcs_fault *fault)
 		status = feed_all(convert, NULL, fault);
 	parts_release(&parts);
 	convert->plan.store = &reader->store;
-	return status ? status : store_close(&reader->store, fault);
+	return status ? status
+		      : store_close(&reader->store, &reader->report, fault);
 }
 
 static enum tcs_status
@@ -438,6 +439,9 @@ run_all(struct convert *convert, struct tcs_fault *fault)
 	if (!status)
 		status = report_merge(convert->report,
 			&convert->document.reader.report, fault);
+	if (!status)
+		status = report_merge(convert->report,
+			&convert->document.reader.images_found, fault);
 	if (!status && convert->deferred.count)
 		status = run_deferred(convert, fault);
 	if (!status && convert->command->strict)

@@ -279,7 +279,7 @@ feature_child(struct gml_reader *reader, struct name *name,
 	case NAME_IMPLICIT_GEOMETRY:
 		return implicit_begin(reader, name, attributes, count, fault);
 	case NAME_APPEARANCE:
-		return gml_push(reader, name, ROLE_APPEARANCE, NULL, fault);
+		return appearance_child(reader, name, attributes, count, fault);
 	default:
 		return nested_begin(reader, name, attributes, count, fault);
 	}

@@ -56,7 +56,12 @@ enum name_kind {
 	NAME_TEXTURE_VALUE, /* imageURI, wrapMode, … */
 	NAME_TEXTURE_LIST, /* TexCoordList */
 	NAME_TEXTURE_RING, /* textureCoordinates of one ring */
+	NAME_TEXTURE_RING_NAME, /* ring, in 3.0 behind the coordinates */
 	NAME_TEXTURE_MATRIX, /* worldToTexture */
+	NAME_TEXTURE_MATRIX_HOLDER, /* TexCoordGen */
+	NAME_TEXTURE_ASSOCIATION, /* textureParameterization of 3.0 */
+	NAME_TEXTURE_ORIENTATION, /* of a georeferenced one */
+	NAME_SURFACE_DATA, /* surfaceDataMember, surfaceData: may link */
 	NAME_TARGET,
 
 	/* GML: what holds surfaces, lines and points */

@@ -10,20 +10,6 @@
 
 /* ---- which polygon has which paint -------------------------------------------- */
 
-enum tcs_status
-paints_fetch(const struct build_plan *plan, struct raw_object *raw,
-	struct tcs_fault *fault)
-{
-	enum tcs_status status = TCS_OK;
-
-	if (!plan->store || !plan->store->places.count)
-		return TCS_OK;
-	for (size_t i = 0; !status && i < raw->targets.count; i++)
-		status = store_fetch(
-			plan->store, raw, raw->targets.at[i].id, fault);
-	return status;
-}
-
 static enum tcs_status
 paint_target(struct builder *builder, const struct raw_object *raw,
 	const struct raw_target *target, size_t paint, struct tcs_fault *fault)
@@ -134,11 +120,15 @@ texcoords_of_list(struct builder *builder, const struct raw_object *raw,
 	return NULL;
 }
 
-/* The matrix is for coordinates as the file writes them. */
+/* `written_north`: the file writes northing first. */
 static const char *
-texcoords_of_matrix(const struct builder *builder, const double m[12],
-	bool swap, struct tcs_texcoord *out)
+texcoords_of_matrix(const struct builder *builder,
+	const struct raw_texmatrix *matrix, bool written_north,
+	struct tcs_texcoord *out)
 {
+	bool swap = written_north && !matrix->east_first;
+	const double *m = matrix->at;
+
 	for (size_t i = 0; i < builder->points.count; i++) {
 		const struct tcs_point *p = &builder->points.at[i];
 		double x = swap ? p->y : p->x, y = swap ? p->x : p->y;
@@ -225,7 +215,7 @@ texcoords_find(struct builder *builder, const struct raw_object *raw,
 		given += builder->ring_sizes.at[i];
 	if (paint->mapping == MAPPING_MATRIX)
 		return texcoords_of_matrix(builder,
-			raw->texmatrices.at[paint->matrix].at,
+			&raw->texmatrices.at[paint->matrix],
 			raw->polygons.at[raw_polygon].swap, out);
 	if (paint->mapping == MAPPING_LIST)
 		problem = texcoords_of_list(builder, raw, paint, out);
@@ -264,26 +254,55 @@ paint_joins(const struct tcs_object *out, const struct tcs_paint *last,
 			object_text(out, paint->theme));
 }
 
+enum { MOST_JOINED = 64 }; /* paints of the polygon that are looked at */
+
+/* The paint of the polygon that this one completes, or NULL. */
+static struct tcs_paint *
+paint_partner(struct tcs_object *out, const struct tcs_paint *paint)
+{
+	for (size_t i = out->paints.count, left = MOST_JOINED; i > 0 && left;
+		i--, left--) {
+		struct tcs_paint *other = &out->paints.at[i - 1];
+
+		if (other->polygon != paint->polygon)
+			break;
+		if (paint_joins(out, other, paint))
+			return other;
+	}
+	return NULL;
+}
+
+/* The coordinates of paints follow each other in the order of the paints. */
+static void
+partner_take_image(struct tcs_object *out, struct tcs_paint *partner,
+	const struct tcs_paint *paint)
+{
+	struct tcs_paint *end = &out->paints.at[out->paints.count];
+
+	partner->image = paint->image;
+	partner->first_texcoord = paint->first_texcoord;
+	if (partner + 1 == end)
+		return;
+	*end = *partner;
+	memmove(partner, partner + 1,
+		(size_t)(end - partner) * sizeof *partner);
+}
+
 static enum tcs_status
 paint_append(struct tcs_object *out, const struct tcs_paint *paint,
 	struct tcs_fault *fault)
 {
-	struct tcs_paint *last = out->paints.count
-		? &out->paints.at[out->paints.count - 1]
-		: NULL;
+	struct tcs_paint *partner;
 
-	if (last && paint_joins(out, last, paint)) {
-		if (last->material == TCS_NONE)
-			last->material = paint->material;
-		if (last->image == TCS_NONE) {
-			last->image = paint->image;
-			last->first_texcoord = paint->first_texcoord;
-		}
-		return TCS_OK;
-	}
 	if (array_grow(&out->paints, 1))
 		return fault_memory(fault);
-	out->paints.at[out->paints.count++] = *paint;
+	partner = paint_partner(out, paint);
+	if (!partner)
+		out->paints.at[out->paints.count++] = *paint;
+	else if (partner->image == TCS_NONE)
+		partner_take_image(out, partner, paint);
+	else
+		partner->material = paint->material;
 	return TCS_OK;
 }
 

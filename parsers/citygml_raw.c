@@ -25,6 +25,7 @@ raw_free(struct raw_object *raw)
 	array_release(&raw->paints);
 	array_release(&raw->texrings);
 	array_release(&raw->texmatrices);
+	array_release(&raw->aliases);
 	array_release(&raw->templates);
 	array_release(&raw->instances);
 	report_release(&raw->report);
@@ -46,6 +47,7 @@ raw_clear(struct raw_object *raw)
 	array_clear(&raw->paints);
 	array_clear(&raw->texrings);
 	array_clear(&raw->texmatrices);
+	array_clear(&raw->aliases);
 	array_clear(&raw->templates);
 	array_clear(&raw->instances);
 	report_clear(&raw->report);

@@ -115,6 +115,10 @@ struct raw_texring {
 struct raw_paint {
 	tcs_text theme;
 	tcs_text target;
+	tcs_text source; /* gml:id of the material or texture */
+	tcs_text mapping_id; /* gml:id of its texture coordinates */
+	tcs_text link; /* they are those with this mapping_id; absent: its own,
+	                  or found */
 	uint32_t material; /* of the stream's palette; TCS_NONE */
 	uint32_t image; /* of the stream's palette; TCS_NONE */
 	uint32_t first_ring; /* MAPPING_LIST: of `texrings` */
@@ -124,9 +128,16 @@ struct raw_paint {
 	bool back;
 };
 
-/* From (x, y, z, 1), as written, to (s q, t q, q); row by row. */
+/* From (x, y, z, 1) to (s q, t q, q); row by row. */
 struct raw_texmatrix {
 	double at[12];
+	bool east_first; /* x is easting; else positions are as written */
+};
+
+/* A theme that shows a material or a texture of another theme, too. */
+struct raw_alias {
+	tcs_text theme;
+	tcs_text source; /* gml:id of that */
 };
 
 #define MEMBER_TAG_MAX 1000 /* bytes of a tag whose place is kept */
@@ -151,6 +162,7 @@ struct raw_object {
 	TCS_ARRAY(struct raw_paint) paints;
 	TCS_ARRAY(struct raw_texring) texrings;
 	TCS_ARRAY(struct raw_texmatrix) texmatrices;
+	TCS_ARRAY(struct raw_alias) aliases;
 	TCS_ARRAY(struct raw_template) templates;
 	TCS_ARRAY(struct raw_instance) instances;
 	struct report report; /* what the parser left out */

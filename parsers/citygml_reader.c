@@ -321,7 +321,8 @@ member_place(struct gml_reader *reader)
 		*tag = (struct xml_stretch){0};
 }
 
-/* In the appearances' pass only global appearances are read. */
+/* In the appearances' pass only global appearances are read, and the bounds:
+ * georeferenced textures need to know the coordinate system. */
 static enum tcs_status
 model_child(struct gml_reader *reader, struct name *name,
 	const struct xml_attribute *attributes, size_t count,
@@ -329,7 +330,7 @@ model_child(struct gml_reader *reader, struct name *name,
 {
 	bool wanted = name->kind == NAME_APPEARANCE_MEMBER
 		? reader->pass == PASS_APPEARANCES
-		: reader->pass == PASS_OBJECTS;
+		: reader->pass == PASS_OBJECTS || name->kind == NAME_BOUNDED_BY;
 	enum tcs_status status;
 
 	if (!wanted)
@@ -342,7 +343,9 @@ model_child(struct gml_reader *reader, struct name *name,
 			return status;
 		return gml_push(reader, name, ROLE_MEMBER, NULL, fault);
 	case NAME_APPEARANCE_MEMBER:
-		status = sheet_open(reader, fault);
+		status = member_link(reader, attributes, count, fault);
+		if (!status)
+			status = sheet_open(reader, fault);
 		if (status)
 			return status;
 		return gml_push(reader, name, ROLE_APPEARANCE, NULL, fault);
@@ -496,6 +499,7 @@ gml_begin(struct gml_reader *reader, const struct gml_options *options,
 		.ready_end = &reader->ready,
 		.model_srs = TCS_NONE,
 		.first_srs = TCS_NONE,
+		.folder.name = options->folder,
 	};
 	if (array_grow(&reader->frames, 1) || array_grow(&reader->text, 64))
 		return fault_memory(fault);
@@ -526,6 +530,7 @@ gml_release(struct gml_reader *reader)
 		free(reader->systems.at[i].name);
 	array_release(&reader->systems);
 	report_release(&reader->report);
+	report_release(&reader->images_found);
 	keys_release(&reader->templates);
 	appearance_release(reader);
 }
@@ -542,12 +547,16 @@ gml_start_pass(
 		xml_new(&reader->handler, &reader->options.xml, &reader->names);
 	if (!reader->xml)
 		return fault_memory(fault);
+	if (reader->raw &&
+		report_merge(&reader->report, &reader->raw->report, fault))
+		return fault->status;
 	raw_free(reader->raw);
 	reader->raw = NULL;
 	reader->head_end = 0;
 	reader->member = (struct xml_stretch){0};
 	reader->objects = 0;
 	reader->object_bytes = 0;
+	reader->object_srs = reader->geometry_srs = TCS_NONE;
 	reader->frames.at[0] = (struct frame){
 		.role = ROLE_DOCUMENT,
 		.attribute = TCS_NONE,

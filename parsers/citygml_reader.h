@@ -11,6 +11,9 @@
  *     citygml_geometry.c    GML geometry
  *     citygml_implicit.c    templates and where they are placed
  *     citygml_appearance.c  themes, materials and textures
+ *     citygml_palette.c     the tables of these
+ *     citygml_mapping.c     where textures lie on surfaces
+ *     citygml_georeference.c  where georeferenced ones do
  *
  * Nothing recurses: depth costs one frame, up to a limit.
  */
@@ -26,6 +29,7 @@
 #include "citygml_raw.h"
 #include "citygml_store.h"
 #include "citygml_xml.h"
+#include "folder.h"
 #include "srs.h"
 
 enum frame_role {
@@ -70,19 +74,31 @@ struct gml_srs {
 	bool north_first;
 };
 
-/* What a texture says, as text, until it is complete. */
+/* Text of one element that others need; NUL-terminated once kept. */
+TCS_ARRAY_TYPE(kept_text, char);
+
+/* What a texture says, until it is complete. */
 struct texture_text {
-	TCS_ARRAY(char) uri;
-	TCS_ARRAY(char) mime;
-	TCS_ARRAY(char) type;
-	TCS_ARRAY(char) wrap;
-	TCS_ARRAY(char) border;
+	struct kept_text uri;
+	struct kept_text mime;
+	struct kept_text type;
+	struct kept_text wrap;
+	struct kept_text border;
+};
+
+/* Where a georeferenced texture says that its image lies. */
+struct georeference {
+	double orientation[4]; /* row by row, as written */
+	double anchor[2]; /* as written */
+	bool has_orientation, has_anchor;
+	bool north_first; /* the anchor */
 };
 
 struct gml_options {
 	struct xml_limits xml;
 	uint64_t max_feature; /* bytes of a top-level feature, give or take the
 	                         pieces that are fed; 0: any */
+	const char *folder; /* of the document's other files; NULL: none */
 	bool drop_extensions; /* what is of no namespace of CityGML's or GML's
 	                         below the model is not read */
 };
@@ -129,12 +145,18 @@ struct gml_reader {
 	struct key_table templates;
 
 	/* appearance */
-	TCS_ARRAY(char) theme;
+	struct kept_text theme;
+	struct kept_text source; /* gml:id of the surface data being read */
 	struct tcs_material material; /* being read */
 	struct texture_text texture; /* being read */
+	struct georeference georeference; /* being read */
+	uint32_t next_texring; /* being read: rings before it have names */
 	bool back; /* the surface data paints backs */
 	uint32_t first_paint; /* its targets start here */
 	struct key_table materials, images; /* of the stream so far */
+	struct folder folder;
+	struct key_table files; /* of the folder that were looked up … */
+	struct report images_found; /* … once, in whatever pass */
 	struct tcs_palette palette; /* entries no object has brought yet */
 	struct paint_store store; /* global appearances */
 };
@@ -287,6 +309,48 @@ enum tcs_status appearance_child(struct gml_reader *reader, struct name *name,
 	struct tcs_fault *fault) TCS_CHECKED;
 enum tcs_status appearance_end(struct gml_reader *reader, struct frame *frame,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Keep the trimmed text of the innermost element, or these bytes. */
+enum tcs_status gml_keep(struct gml_reader *reader, struct kept_text *to,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status text_keep(struct kept_text *to, const char *bytes,
+	size_t length, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The numbers in the stream's tables of what is being read. */
+enum tcs_status material_intern(struct gml_reader *reader, uint32_t *out,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status image_intern(struct gml_reader *reader, uint32_t *out,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * The last target of the surface data being read; NULL before the first. How
+ * the texture lies on it is read next.
+ */
+struct raw_paint *paint_last(struct gml_reader *reader);
+
+/* It lies on its last target as on another one. */
+enum tcs_status mapping_link(struct gml_reader *reader,
+	const struct xml_attribute *href, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Elements that say how a texture lies on its target, begun and ended. */
+enum tcs_status mapping_child(struct gml_reader *reader, struct frame *frame,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status mapping_end(struct gml_reader *reader,
+	const struct frame *frame, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The same of elements that say where an image lies in the world. */
+enum tcs_status georeference_child(struct gml_reader *reader,
+	struct frame *frame, const struct xml_attribute *attributes,
+	size_t count, struct tcs_fault *fault) TCS_CHECKED;
+void georeference_end(struct gml_reader *reader, const struct frame *frame);
+
+/*
+ * Give all targets of the georeferenced texture its mapping. Without one they
+ * are dropped, and the texture is reported.
+ */
+enum tcs_status georeference_apply(
+	struct gml_reader *reader, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Hand the object the palette entries that no object before it has brought. */
 enum tcs_status appearance_hand_over(

@@ -167,15 +167,17 @@ lines_count(struct skim *skim, size_t upto)
 	skim->counted = upto;
 }
 
+/* An appearance, or the bounds with the name of the coordinate system. */
 static bool
-is_appearance_member(const char *tag)
+is_wanted_member(const char *tag)
 {
 	size_t length = strcspn(tag, " \t\r\n/>");
 	const char *colon = memchr(tag, ':', length);
 	const char *local = colon ? colon + 1 : tag;
 
 	length -= (size_t)(local - tag);
-	return length == 16 && !memcmp(local, "appearanceMember", length);
+	return (length == 16 && !memcmp(local, "appearanceMember", length)) ||
+		(length == 9 && !memcmp(local, "boundedBy", length));
 }
 
 static enum tcs_status
@@ -220,7 +222,7 @@ start_tag(struct skim *skim, const char *at, const char *behind_tag,
 		skim->parts->head_end =
 			skim->at + (uint64_t)(behind_tag - skim->bytes.at);
 	}
-	if (skim->depth == 1 && is_appearance_member(at + 1))
+	if (skim->depth == 1 && is_wanted_member(at + 1))
 		status = part_begin(skim, at, fault);
 	if (!empty)
 		skim->depth++;

@@ -1,6 +1,7 @@
 /*
- * Where the global appearances stand, found by looking at bytes: much faster
- * than a parser, for a pass that reads nothing else.
+ * Where the global appearances and the bounds of the model stand, found by
+ * looking at bytes: much faster than a parser, for a pass that reads nothing
+ * else.
  *
  * source: XML 1.0, fifth edition: 2.4 to 2.7, 3.1, 4.3.3.
  */
@@ -17,7 +18,8 @@ enum skim_result {
 	                bytes, behind a document type, in what is no XML */
 };
 
-/* Look through all of the input; append the places found to `parts`. */
+/* Look through all of the input; append the places found to `parts`, those of
+ * the bounds only if there are appearances. */
 enum tcs_status skim_appearances(struct input *input,
 	struct document_parts *parts, enum skim_result *result,
 	struct tcs_fault *fault) TCS_CHECKED;

@@ -6,18 +6,20 @@
 
 #include "citygml_keys.h"
 
+enum { MOST_THEMES = 64 }; /* that show the same material or texture */
+
 /*
- * A paint in the file: this, then the target, the theme, the matrix if there
- * is one, and for each ring its id and coordinates.
+ * A paint in the file: this, then its texts, the matrix if there is one, and
+ * for each ring its id and coordinates.
  */
 struct stored_paint {
 	uint64_t length; /* of all of it */
-	uint32_t target_length, theme_length;
+	uint32_t target_length, theme_length, source_length;
+	uint32_t mapping_id_length, link_length;
 	uint32_t material, image;
 	uint32_t ring_count;
 	uint32_t mapping;
 	uint32_t back;
-	uint32_t reserved;
 };
 
 struct stored_ring {
@@ -30,6 +32,13 @@ store_release(struct paint_store *store)
 	if (store->file)
 		fclose(store->file);
 	array_release(&store->places);
+	array_release(&store->mappings);
+	array_release(&store->sources);
+	for (size_t i = 0; i < store->aliases.count; i++) {
+		free(store->aliases.at[i].source);
+		free(store->aliases.at[i].theme);
+	}
+	array_release(&store->aliases);
 	array_release(&store->bytes);
 	*store = (struct paint_store){0};
 }
@@ -67,14 +76,20 @@ put_rings(struct paint_store *store, const struct raw_object *raw,
 }
 
 static int
+put_text(struct paint_store *store, const struct raw_object *raw, tcs_text text,
+	uint32_t *length)
+{
+	const char *string = object_text(&raw->tree, text);
+
+	*length = (uint32_t)strlen(string);
+	return put(store, string, *length);
+}
+
+static int
 put_paint(struct paint_store *store, const struct raw_object *raw,
 	const struct raw_paint *paint)
 {
-	const char *target = object_text(&raw->tree, paint->target);
-	const char *theme = object_text(&raw->tree, paint->theme);
 	struct stored_paint stored = {
-		.target_length = (uint32_t)strlen(target),
-		.theme_length = (uint32_t)strlen(theme),
 		.material = paint->material,
 		.image = paint->image,
 		.ring_count = paint->ring_count,
@@ -84,8 +99,12 @@ put_paint(struct paint_store *store, const struct raw_object *raw,
 
 	store->bytes.count = 0;
 	if (put(store, &stored, sizeof stored) ||
-		put(store, target, stored.target_length) ||
-		put(store, theme, stored.theme_length) ||
+		put_text(store, raw, paint->target, &stored.target_length) ||
+		put_text(store, raw, paint->theme, &stored.theme_length) ||
+		put_text(store, raw, paint->source, &stored.source_length) ||
+		put_text(store, raw, paint->mapping_id,
+			&stored.mapping_id_length) ||
+		put_text(store, raw, paint->link, &stored.link_length) ||
 		(paint->mapping == MAPPING_MATRIX &&
 			put(store, &raw->texmatrices.at[paint->matrix],
 				sizeof(struct raw_texmatrix))) ||
@@ -93,6 +112,32 @@ put_paint(struct paint_store *store, const struct raw_object *raw,
 		return -1;
 	stored.length = store->bytes.count;
 	memcpy(store->bytes.at, &stored, sizeof stored);
+	return 0;
+}
+
+static int
+place_add(void *places, const char *id, uint64_t at)
+{
+	TCS_ARRAY_TYPE(places, struct store_place) *to = places;
+
+	if (array_grow(to, 1))
+		return -1;
+	to->at[to->count++] = (struct store_place){key_hash(id), at};
+	return 0;
+}
+
+/* The ids of materials and textures, each once where its targets follow. */
+static int
+source_add(struct paint_store *store, const char *source)
+{
+	uint64_t hash = key_hash(source);
+	size_t count = store->sources.count;
+
+	if (!*source || (count && store->sources.at[count - 1] == hash))
+		return 0;
+	if (array_grow(&store->sources, 1))
+		return -1;
+	store->sources.at[store->sources.count++] = hash;
 	return 0;
 }
 
@@ -104,10 +149,15 @@ store_add(struct paint_store *store, const struct raw_object *raw,
 		store->file = tmpfile();
 	if (!store->file)
 		return fault_system(fault, "cannot create", "a temporary file");
-	if (put_paint(store, raw, paint) || array_grow(&store->places, 1))
+	if (put_paint(store, raw, paint) ||
+		place_add(&store->places,
+			object_text(&raw->tree, paint->target), store->size) ||
+		(paint->mapping_id &&
+			place_add(&store->mappings,
+				object_text(&raw->tree, paint->mapping_id),
+				store->size)) ||
+		source_add(store, object_text(&raw->tree, paint->source)))
 		return fault_memory(fault);
-	store->places.at[store->places.count++] = (struct store_place){
-		key_hash(object_text(&raw->tree, paint->target)), store->size};
 	if (fwrite(store->bytes.at, 1, store->bytes.count, store->file) !=
 		store->bytes.count)
 		return fault_system(fault, "cannot write", "a temporary file");
@@ -126,15 +176,85 @@ compare_places(const void *a, const void *b)
 }
 
 enum tcs_status
-store_close(struct paint_store *store, struct tcs_fault *fault)
+store_alias(struct paint_store *store, const char *theme, const char *source,
+	struct tcs_fault *fault)
 {
-	if (!store->file)
-		return TCS_OK;
-	if (fflush(store->file))
-		return fault_system(fault, "cannot write", "a temporary file");
-	qsort(store->places.at, store->places.count, sizeof *store->places.at,
-		compare_places);
+	struct store_alias alias = {strdup(source), strdup(theme)};
+
+	if (!alias.source || !alias.theme || array_grow(&store->aliases, 1)) {
+		free(alias.source);
+		free(alias.theme);
+		return fault_memory(fault);
+	}
+	store->aliases.at[store->aliases.count++] = alias;
 	return TCS_OK;
+}
+
+static int
+compare_aliases(const void *a, const void *b)
+{
+	const struct store_alias *one = a, *two = b;
+	int order = strcmp(one->source, two->source);
+
+	return order ? order : strcmp(one->theme, two->theme);
+}
+
+static int
+compare_hashes(const void *a, const void *b)
+{
+	const uint64_t *one = a, *two = b;
+
+	return *one < *two ? -1 : *one > *two;
+}
+
+static enum tcs_status
+aliases_check(struct paint_store *store, struct report *report,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < store->aliases.count; i++) {
+		const struct store_alias *alias = &store->aliases.at[i];
+		uint64_t hash = key_hash(alias->source);
+
+		if (!store->sources.count ||
+			!bsearch(&hash, store->sources.at, store->sources.count,
+				sizeof hash, compare_hashes))
+			status = report_item(report, REPORT_SKIPPED,
+				"appearance",
+				"no global material or texture has the id it "
+				"links to",
+				alias->source, TCS_NOWHERE, fault);
+		else if (i >= MOST_THEMES &&
+			!strcmp(alias[-MOST_THEMES].source, alias->source))
+			status = report_item(report, REPORT_SKIPPED,
+				"appearance",
+				"more than 64 themes share a material or "
+				"texture",
+				alias->source, TCS_NOWHERE, fault);
+	}
+	return status;
+}
+
+enum tcs_status
+store_close(struct paint_store *store, struct report *report,
+	struct tcs_fault *fault)
+{
+	if (store->file && fflush(store->file))
+		return fault_system(fault, "cannot write", "a temporary file");
+	if (store->places.count)
+		qsort(store->places.at, store->places.count,
+			sizeof *store->places.at, compare_places);
+	if (store->mappings.count)
+		qsort(store->mappings.at, store->mappings.count,
+			sizeof *store->mappings.at, compare_places);
+	if (store->sources.count)
+		qsort(store->sources.at, store->sources.count,
+			sizeof *store->sources.at, compare_hashes);
+	if (store->aliases.count)
+		qsort(store->aliases.at, store->aliases.count,
+			sizeof *store->aliases.at, compare_aliases);
+	return aliases_check(store, report, fault);
 }
 
 /* ---- reading ----------------------------------------------------------------- */
@@ -217,6 +337,28 @@ take_ring(struct taken *taken, struct raw_object *raw, struct tcs_fault *fault)
 }
 
 static enum tcs_status
+take_mapping(struct taken *taken, struct raw_object *raw,
+	struct raw_paint *paint, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	paint->mapping = (uint8_t)taken->paint.mapping;
+	paint->first_ring = (uint32_t)raw->texrings.count;
+	paint->ring_count = taken->paint.ring_count;
+	paint->matrix = (uint32_t)raw->texmatrices.count;
+	if (paint->mapping == MAPPING_MATRIX) {
+		if (array_grow(&raw->texmatrices, 1))
+			return fault_memory(fault);
+		memcpy(&raw->texmatrices.at[raw->texmatrices.count++],
+			taken->at, sizeof(struct raw_texmatrix));
+		taken->at += sizeof(struct raw_texmatrix);
+	}
+	for (uint32_t i = 0; !status && i < paint->ring_count; i++)
+		status = take_ring(taken, raw, fault);
+	return status;
+}
+
+static enum tcs_status
 take_paint(struct taken *taken, struct raw_object *raw, tcs_text target,
 	struct tcs_fault *fault)
 {
@@ -225,10 +367,6 @@ take_paint(struct taken *taken, struct raw_object *raw, tcs_text target,
 		.target = target,
 		.material = stored->material,
 		.image = stored->image,
-		.first_ring = (uint32_t)raw->texrings.count,
-		.ring_count = stored->ring_count,
-		.matrix = (uint32_t)raw->texmatrices.count,
-		.mapping = (uint8_t)stored->mapping,
 		.back = stored->back,
 	};
 	enum tcs_status status;
@@ -236,20 +374,69 @@ take_paint(struct taken *taken, struct raw_object *raw, tcs_text target,
 	taken->at += stored->target_length;
 	status = take_text(
 		taken, stored->theme_length, raw, &paint.theme, fault);
-	if (!status && stored->mapping == MAPPING_MATRIX) {
-		if (array_grow(&raw->texmatrices, 1))
-			return fault_memory(fault);
-		memcpy(&raw->texmatrices.at[raw->texmatrices.count++],
-			taken->at, sizeof(struct raw_texmatrix));
-		taken->at += sizeof(struct raw_texmatrix);
-	}
-	for (uint32_t i = 0; !status && i < stored->ring_count; i++)
-		status = take_ring(taken, raw, fault);
+	if (!status)
+		status = take_text(taken, stored->source_length, raw,
+			&paint.source, fault);
+	taken->at += stored->mapping_id_length;
+	if (!status)
+		status = take_text(
+			taken, stored->link_length, raw, &paint.link, fault);
+	if (!status)
+		status = take_mapping(taken, raw, &paint, fault);
 	if (status)
 		return status;
 	if (array_grow(&raw->paints, 1))
 		return fault_memory(fault);
 	raw->paints.at[raw->paints.count++] = paint;
+	return TCS_OK;
+}
+
+static size_t
+first_alias(const struct paint_store *store, const char *source)
+{
+	size_t low = 0, high = store->aliases.count;
+
+	while (low < high) {
+		size_t middle = low + (high - low) / 2;
+
+		if (strcmp(store->aliases.at[middle].source, source) < 0)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+/* The last paint again, for the other themes that show it. */
+static enum tcs_status
+take_aliases(const struct paint_store *store, struct raw_object *raw,
+	struct tcs_fault *fault)
+{
+	struct raw_paint paint = raw->paints.at[raw->paints.count - 1];
+	const char *source = object_text(&raw->tree, paint.source);
+	size_t first = first_alias(store, source);
+	tcs_text own = paint.theme;
+
+	for (size_t i = first;
+		*source && i < store->aliases.count && i - first < MOST_THEMES;
+		i++) {
+		const struct store_alias *alias = &store->aliases.at[i];
+		enum tcs_status status;
+
+		source = object_text(&raw->tree, paint.source);
+		if (strcmp(alias->source, source) != 0)
+			break;
+		if (!strcmp(alias->theme, object_text(&raw->tree, own)) ||
+			(i > first && !compare_aliases(alias - 1, alias)))
+			continue;
+		status = text_append(&raw->tree, alias->theme,
+			strlen(alias->theme), &paint.theme, fault);
+		if (status)
+			return status;
+		if (array_grow(&raw->paints, 1))
+			return fault_memory(fault);
+		raw->paints.at[raw->paints.count++] = paint;
+	}
 	return TCS_OK;
 }
 
@@ -261,14 +448,14 @@ taken_is_for(const struct taken *taken, const char *id)
 }
 
 static size_t
-first_place(const struct paint_store *store, uint64_t hash)
+first_place(const struct store_place *places, size_t count, uint64_t hash)
 {
-	size_t low = 0, high = store->places.count;
+	size_t low = 0, high = count;
 
 	while (low < high) {
 		size_t middle = low + (high - low) / 2;
 
-		if (store->places.at[middle].hash < hash)
+		if (places[middle].hash < hash)
 			low = middle + 1;
 		else
 			high = middle;
@@ -283,8 +470,10 @@ store_fetch(const struct paint_store *store, struct raw_object *raw,
 	uint64_t hash = key_hash(object_text(&raw->tree, target));
 	enum tcs_status status = TCS_OK;
 
-	for (size_t i = first_place(store, hash); !status &&
-		i < store->places.count && store->places.at[i].hash == hash;
+	for (size_t i = first_place(
+		     store->places.at, store->places.count, hash);
+		!status && i < store->places.count &&
+		store->places.at[i].hash == hash;
 		i++) {
 		struct taken taken;
 
@@ -292,8 +481,56 @@ store_fetch(const struct paint_store *store, struct raw_object *raw,
 			store, store->places.at[i].at, &taken, fault);
 		if (status)
 			return status;
-		if (taken_is_for(&taken, object_text(&raw->tree, target)))
+		if (taken_is_for(&taken, object_text(&raw->tree, target))) {
 			status = take_paint(&taken, raw, target, fault);
+			if (!status)
+				status = take_aliases(store, raw, fault);
+		}
+		free(taken.bytes);
+	}
+	return status;
+}
+
+/* Whether this is the mapping; then `at` stands where it begins. */
+static bool
+taken_is_mapping(struct taken *taken, const char *id)
+{
+	const struct stored_paint *stored = &taken->paint;
+	bool is_it;
+
+	taken->at += stored->target_length + stored->theme_length +
+		stored->source_length;
+	is_it = strlen(id) == stored->mapping_id_length &&
+		!memcmp(taken->at, id, stored->mapping_id_length);
+	taken->at += stored->mapping_id_length + stored->link_length;
+	return is_it;
+}
+
+enum tcs_status
+store_fetch_mapping(const struct paint_store *store, struct raw_object *raw,
+	size_t paint, bool *found, struct tcs_fault *fault)
+{
+	tcs_text link = raw->paints.at[paint].link;
+	uint64_t hash = key_hash(object_text(&raw->tree, link));
+	enum tcs_status status = TCS_OK;
+
+	*found = false;
+	for (size_t i = first_place(
+		     store->mappings.at, store->mappings.count, hash);
+		!status && !*found && i < store->mappings.count &&
+		store->mappings.at[i].hash == hash;
+		i++) {
+		struct taken taken;
+
+		status = taken_read(
+			store, store->mappings.at[i].at, &taken, fault);
+		if (status)
+			return status;
+		*found =
+			taken_is_mapping(&taken, object_text(&raw->tree, link));
+		if (*found)
+			status = take_mapping(
+				&taken, raw, &raw->paints.at[paint], fault);
 		free(taken.bytes);
 	}
 	return status;
