@@ -123,6 +123,7 @@ unit_tests := $(call built_from,tests/unit/*_test.c)
 benches := $(call built_from,tests/bench/*_bench.c) \
 	$(call built_from,tests/bench/*_bare.c) \
 	$(patsubst %.cpp,$(build)/%,$(wildcard tests/bench/*.cpp))
+tools := $(call built_from,tests/tools/*.c)
 generators := $(call built_from,samples/make*.c)
 generator_parts := $(addprefix $(build)/,$(patsubst %.c,%.o,$(filter-out \
 	$(wildcard samples/make*.c),$(wildcard samples/*.c))))
@@ -131,7 +132,7 @@ fuzzers := $(patsubst tests/fuzz/%_fuzz.c,$(build)/fuzz/%,\
 replays := $(call built_from,tests/fuzz/*_fuzz.c)
 link_test = $(call show,LD)$(CXX) $(all_ldflags) -o $@ $(filter %.o %.a,$^) $(libs)
 
-$(unit_tests) $(benches): $(build)/%: $(build)/%.o $(archives) $(build)/flags
+$(unit_tests) $(benches) $(tools): $(build)/%: $(build)/%.o $(archives) $(build)/flags
 	$(link_test)
 
 # Each generator takes of the parts what it needs.
@@ -178,7 +179,7 @@ $(node_modules): $(node_lock)
 	$(call show,NPM)cd tests/node && npm ci --loglevel=error --ignore-scripts \
 		--no-audit --no-fund && touch node_modules/.package-lock.json
 
-test-here: all $(unit_tests) $(replays) $(generators) $(node_modules)
+test-here: all $(unit_tests) $(replays) $(tools) $(generators) $(node_modules)
 	@$(run) unit seeds cases suites
 
 unit: $(unit_tests)
@@ -190,7 +191,7 @@ seeds: $(replays)
 cases: all $(generators)
 	@$(run) cases
 
-suites: all $(generators) $(node_modules)
+suites: all $(tools) $(generators) $(node_modules)
 	@$(run) suites
 
 cases-accept: all $(generators)
@@ -214,7 +215,7 @@ lint:
 	@BUILD='$(abspath $(build))' tests/lint.sh
 
 # Everything that is C or C++, for the compilers' warnings.
-lint-build: all $(unit_tests) $(replays) $(benches) $(generators)
+lint-build: all $(unit_tests) $(replays) $(benches) $(tools) $(generators)
 
 format:
 	clang-format -i $$(tests/lint.sh --sources)

@@ -11,12 +11,12 @@
 #define SAME_SIDE 0.9
 
 /*
- * How far a triangle may be off the plane that a region has so far. Rounded
- * coordinates put a corner further off the plane of a first triangle than off
- * the plane of all: regions are tried with the most, and taken apart for the
- * next where all of it is too far off in the end.
+ * How far a triangle may be off the plane that a region has so far, in metres.
+ * Rounded coordinates put a corner further off the plane of a first triangle
+ * than off the plane of all: regions are tried with the most, and taken apart
+ * for the next where the whole is not flat in the end.
  */
-static const double reach[] = {0.004, 0.002, 0.001, 0.0005};
+static const double reach[] = {0.004, 0.002, 0.001, 0.0005, 0.0002};
 
 enum { LEVELS = sizeof reach / sizeof *reach };
 
@@ -47,7 +47,6 @@ coplanar_release(struct coplanar *coplanar)
 	array_release(&coplanar->edges);
 	array_release(&coplanar->sizes);
 	array_release(&coplanar->members);
-	array_release(&coplanar->firsts);
 	array_release(&coplanar->path);
 }
 
@@ -305,23 +304,19 @@ faces_along(const struct coplanar *coplanar, const struct coplanar_plane *plane,
 		SAME_SIDE * sqrt(lengths);
 }
 
-/* Spread from a triangle to neighbours of its level; they are appended to the
- * members as a region. */
+/* Spread from a triangle to neighbours of its level. */
 static void
-grow(struct coplanar *coplanar, uint32_t seed, unsigned level,
-	struct coplanar_plane *plane)
+grow(struct coplanar *coplanar, uint32_t seed, unsigned level)
 {
-	uint32_t region = (uint32_t)coplanar->firsts.count;
-	size_t at = coplanar->members.count;
+	struct coplanar_plane plane = {.weight = 0};
 
-	*plane = (struct coplanar_plane){.weight = 0};
-	coplanar->firsts.at[coplanar->firsts.count++] = (uint32_t)at;
-	coplanar->members.at[coplanar->members.count++] = seed;
-	coplanar->regions.at[seed] = region;
-	widen(plane, coplanar, seed);
+	coplanar->members.at[0] = seed;
+	coplanar->members.count = 1;
+	coplanar->regions.at[seed] = seed;
+	widen(&plane, coplanar, seed);
 	if (is_thin(coplanar, seed))
 		return;
-	for (; at < coplanar->members.count; at++)
+	for (size_t at = 0; at < coplanar->members.count; at++)
 		for (uint32_t k = 0; k < 3; k++) {
 			uint32_t half = 3 * coplanar->members.at[at] + k;
 			uint32_t other = coplanar->twins.at[half] / 3;
@@ -329,65 +324,67 @@ grow(struct coplanar *coplanar, uint32_t seed, unsigned level,
 			if (coplanar->twins.at[half] == TCS_NONE ||
 				coplanar->regions.at[other] != TCS_NONE ||
 				coplanar->levels.at[other] != level ||
-				!is_near(
-					coplanar, plane, other, reach[level]) ||
+				!is_near(coplanar, &plane, other,
+					reach[level]) ||
 				!(is_thin(coplanar, other) ||
-					faces_along(coplanar, plane, other)))
+					faces_along(coplanar, &plane, other)))
 				continue;
-			coplanar->regions.at[other] = region;
+			coplanar->regions.at[other] = seed;
 			coplanar->members.at[coplanar->members.count++] = other;
-			if (level + 1 < LEVELS)
-				widen(plane, coplanar, other);
+			widen(&plane, coplanar, other);
 		}
 }
 
-/* Whether the region that has grown last is flat. */
-static bool
-is_flat(const struct coplanar *coplanar, const struct coplanar_plane *plane)
-{
-	size_t first = coplanar->firsts.at[coplanar->firsts.count - 1];
-
-	if (coplanar->members.count == first + 1)
-		return true;
-	for (size_t i = first; i < coplanar->members.count; i++)
-		if (!is_near(coplanar, plane, coplanar->members.at[i],
-			    COPLANAR_TOLERANCE))
-			return false;
-	return true;
-}
-
-/* Its triangles are for the next level. */
+/* What has grown is for the next level. */
 static void
 take_apart(struct coplanar *coplanar)
 {
-	size_t first = coplanar->firsts.at[--coplanar->firsts.count];
+	for (size_t i = 0; i < coplanar->members.count; i++) {
+		uint32_t triangle = coplanar->members.at[i];
 
-	for (size_t i = first; i < coplanar->members.count; i++) {
-		coplanar->regions.at[coplanar->members.at[i]] = TCS_NONE;
-		coplanar->levels.at[coplanar->members.at[i]]++;
+		coplanar->regions.at[triangle] = TCS_NONE;
+		coplanar->levels.at[triangle]++;
+		for (uint32_t k = 0; k < 3; k++)
+			coplanar->traced.at[3 * triangle + k] = false;
 	}
-	coplanar->members.count = first;
 }
 
-static void
-find_regions(struct coplanar *coplanar)
+static enum tcs_status
+add_region(struct coplanar *coplanar, const struct tcs_triangle *triangles,
+	uint32_t seed, unsigned level, struct tcs_fault *fault)
 {
-	const struct coplanar_size *sizes = coplanar->sizes.at;
-	struct coplanar_plane plane;
+	enum tcs_status status;
+	bool flat;
+
+	grow(coplanar, seed, level);
+	status = coplanar_trace(coplanar, triangles, coplanar->members.at,
+		coplanar->members.count, &flat, fault);
+	if (status || flat)
+		return status;
+	if (level + 1 < LEVELS && coplanar->members.count > 1) {
+		take_apart(coplanar);
+		return TCS_OK;
+	}
+	return coplanar_keep(coplanar, triangles, coplanar->members.at,
+		coplanar->members.count, fault);
+}
+
+static enum tcs_status
+add_regions(struct coplanar *coplanar, const struct tcs_triangle *triangles,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
 
 	for (unsigned level = 0; level < LEVELS; level++)
-		for (size_t i = 0; i < coplanar->sizes.count; i++) {
-			uint32_t triangle = sizes[i].triangle;
+		for (size_t i = 0; i < coplanar->sizes.count && !status; i++) {
+			uint32_t seed = coplanar->sizes.at[i].triangle;
 
-			if (coplanar->regions.at[triangle] != TCS_NONE ||
-				coplanar->levels.at[triangle] != level)
-				continue;
-			grow(coplanar, triangle, level, &plane);
-			if (level + 1 < LEVELS && !is_flat(coplanar, &plane))
-				take_apart(coplanar);
+			if (coplanar->regions.at[seed] == TCS_NONE &&
+				coplanar->levels.at[seed] == level)
+				status = add_region(coplanar, triangles, seed,
+					level, fault);
 		}
-	coplanar->firsts.at[coplanar->firsts.count] =
-		(uint32_t)coplanar->members.count;
+	return status;
 }
 
 /* ---- all of it ------------------------------------------------------------ */
@@ -408,7 +405,6 @@ make_room(struct coplanar *coplanar, size_t count, struct tcs_fault *fault)
 	array_clear(&coplanar->edges);
 	array_clear(&coplanar->sizes);
 	array_clear(&coplanar->members);
-	array_clear(&coplanar->firsts);
 	array_clear(&coplanar->path);
 	if (count >= TCS_NONE / 3)
 		return fault_memory(fault);
@@ -425,7 +421,6 @@ make_room(struct coplanar *coplanar, size_t count, struct tcs_fault *fault)
 		array_grow(&coplanar->edges, 3 * count) ||
 		array_grow(&coplanar->sizes, count) ||
 		array_grow(&coplanar->members, count) ||
-		array_grow(&coplanar->firsts, count + 1) ||
 		array_grow(&coplanar->path, 3 * count))
 		return fault_memory(fault);
 	memset(coplanar->traced.at, 0, 3 * count * sizeof(bool));
@@ -461,9 +456,7 @@ coplanar_join(struct coplanar *coplanar, const struct tcs_point *vertices,
 	list_edges(coplanar, count);
 	pair_edges(coplanar);
 	measure(coplanar, count);
-	find_regions(coplanar);
-	for (uint32_t i = 0; i < coplanar->firsts.count && !status; i++)
-		status = coplanar_trace(coplanar, triangles, i, fault);
+	status = add_regions(coplanar, triangles, fault);
 	if (!status && coplanar->faces.count > first)
 		qsort(&coplanar->faces.at[first], coplanar->faces.count - first,
 			sizeof *coplanar->faces.at, compare_faces);

@@ -2,11 +2,11 @@
  * Triangles that lie in one plane, joined to polygons with holes.
  *
  * Two triangles are neighbours where an edge is used by exactly these two, once
- * each way. Neighbours grow into regions, from the largest triangle down, as
- * long as a region stays within COPLANAR_TOLERANCE of one plane and its
- * triangles face one side; triangles too thin to have a side go along. The
- * boundary of a region becomes rings that visit no point twice: where it
- * touches itself it is cut into rings that meet there.
+ * each way. Neighbours grow into regions, from the largest triangle down, that
+ * lie within COPLANAR_TOLERANCE of one plane and face one side; triangles too
+ * thin to have a side go along. The boundary of a region becomes rings that
+ * visit no point twice: where it touches itself it is cut into rings that meet
+ * there.
  *
  * No vertex of a boundary is ever left out, also where it runs straight on:
  * every edge of a ring is an edge of a triangle, so that what was closed is
@@ -83,8 +83,7 @@ struct coplanar {
 	TCS_ARRAY(struct coplanar_corner) sorted;
 	TCS_ARRAY(struct coplanar_edge) edges;
 	TCS_ARRAY(struct coplanar_size) sizes; /* the largest first */
-	TCS_ARRAY(uint32_t) members; /* triangles, region after region */
-	TCS_ARRAY(uint32_t) firsts; /* member of each region; one more */
+	TCS_ARRAY(uint32_t) members; /* triangles of the region that grows */
 	TCS_ARRAY(uint32_t) path; /* half-edges of a ring in the making */
 };
 
@@ -107,11 +106,19 @@ enum tcs_status coplanar_join(struct coplanar *coplanar,
 
 /* ---- between coplanar.c and coplanar_rings.c ------------------------------ */
 
-/* Append the faces of one region: one, or where its border is not that of a
- * polygon, its triangles. */
+/*
+ * Append the face of a region if its border is that of a flat polygon: one
+ * outer ring, and no vertex further off its plane (Newell's normal, through
+ * the centre of its vertices) than the tolerance. Sets *flat to whether it is.
+ */
 enum tcs_status coplanar_trace(struct coplanar *coplanar,
-	const struct tcs_triangle *triangles, uint32_t region,
-	struct tcs_fault *fault) TCS_CHECKED;
+	const struct tcs_triangle *triangles, const uint32_t *members,
+	size_t count, bool *flat, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Append a face for each of these triangles. */
+enum tcs_status coplanar_keep(struct coplanar *coplanar,
+	const struct tcs_triangle *triangles, const uint32_t *members,
+	size_t count, struct tcs_fault *fault) TCS_CHECKED;
 
 static inline uint32_t
 coplanar_next_half(uint32_t half)

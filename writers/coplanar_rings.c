@@ -55,8 +55,8 @@ area_of(const struct coplanar *coplanar, const struct border *border,
 	return area;
 }
 
-/* A ring of these half-edges, from its lowest vertex on. Two that run out and
- * back on one edge are none. */
+/* A ring of these half-edges, from its lowest vertex on; its corners are told
+ * by them for now. Two that run out and back on one edge are none. */
 static enum tcs_status
 add_ring(struct coplanar *coplanar, const struct border *border,
 	const uint32_t *halves, size_t count, struct tcs_fault *fault)
@@ -78,7 +78,7 @@ add_ring(struct coplanar *coplanar, const struct border *border,
 		.area = area_of(coplanar, border, halves, count)};
 	for (size_t i = 0; i < count; i++)
 		coplanar->corners.at[coplanar->corners.count++] =
-			vertex_of(border, halves[(start + i) % count]);
+			halves[(start + i) % count];
 	return TCS_OK;
 }
 
@@ -140,12 +140,70 @@ put_outer_first(struct coplanar *coplanar, size_t first)
 	return found == 1;
 }
 
+static struct tcs_point
+position_of(const struct coplanar *coplanar, size_t corner)
+{
+	uint32_t half = coplanar->corners.at[corner];
+
+	return coplanar->positions.at[coplanar->places.at[half]];
+}
+
+/* The plane of a ring: Newell's normal, and the centre of its corners. */
+static void
+find_plane(const struct coplanar *coplanar, const struct coplanar_ring *ring,
+	struct coplanar_plane *plane)
+{
+	struct tcs_point first = position_of(coplanar, ring->first);
+	struct tcs_point last = first, *centre = &plane->centre;
+
+	*plane = (struct coplanar_plane){.weight = ring->count};
+	for (uint32_t i = 0; i < ring->count; i++) {
+		struct tcs_point at = position_of(coplanar, ring->first + i);
+		struct tcs_point area =
+			coplanar_cross(coplanar_between(first, last),
+				coplanar_between(first, at));
+
+		plane->normal.x += area.x;
+		plane->normal.y += area.y;
+		plane->normal.z += area.z;
+		centre->x += at.x / plane->weight;
+		centre->y += at.y / plane->weight;
+		centre->z += at.z / plane->weight;
+		last = at;
+	}
+}
+
+/* Whether all corners from the first of the outer ring on are in its plane. */
+static bool
+is_flat(const struct coplanar *coplanar, size_t outer, size_t corner)
+{
+	struct coplanar_plane plane;
+	double length;
+
+	find_plane(coplanar, &coplanar->rings.at[outer], &plane);
+	length = sqrt(coplanar_dot(plane.normal, plane.normal));
+	for (size_t i = corner; i < coplanar->corners.count; i++) {
+		struct tcs_point out = coplanar_between(
+			plane.centre, position_of(coplanar, i));
+
+		if (!(fabs(coplanar_dot(out, plane.normal)) <=
+			    COPLANAR_TOLERANCE * length))
+			return false;
+	}
+	return true;
+}
+
+/* Make a face of the rings and corners from these on. */
 static enum tcs_status
-add_face(struct coplanar *coplanar, size_t first_ring, uint32_t first_triangle,
+add_face(struct coplanar *coplanar, const struct border *border,
+	size_t first_ring, size_t first_corner, uint32_t first_triangle,
 	struct tcs_fault *fault)
 {
 	if (array_grow(&coplanar->faces, 1))
 		return fault_memory(fault);
+	for (size_t i = first_corner; i < coplanar->corners.count; i++)
+		coplanar->corners.at[i] =
+			vertex_of(border, coplanar->corners.at[i]);
 	coplanar->faces.at[coplanar->faces.count++] = (struct coplanar_face){
 		.first_ring = (uint32_t)first_ring,
 		.ring_count = (uint32_t)(coplanar->rings.count - first_ring),
@@ -154,20 +212,22 @@ add_face(struct coplanar *coplanar, size_t first_ring, uint32_t first_triangle,
 	return TCS_OK;
 }
 
-/* The triangles of a region as a face each. */
-static enum tcs_status
-add_triangles(struct coplanar *coplanar, const struct border *border,
+enum tcs_status
+coplanar_keep(struct coplanar *coplanar, const struct tcs_triangle *triangles,
 	const uint32_t *members, size_t count, struct tcs_fault *fault)
 {
+	struct border border = {.triangles = triangles};
 	enum tcs_status status = TCS_OK;
 
 	for (size_t i = 0; i < count && !status; i++) {
+		size_t ring = coplanar->rings.count;
+		size_t corner = coplanar->corners.count;
 		uint32_t half = 3 * members[i];
 		const uint32_t halves[] = {half, half + 1, half + 2};
 
-		status = add_ring(coplanar, border, halves, 3, fault);
+		status = add_ring(coplanar, &border, halves, 3, fault);
 		if (!status)
-			status = add_face(coplanar, coplanar->rings.count - 1,
+			status = add_face(coplanar, &border, ring, corner,
 				members[i], fault);
 	}
 	return status;
@@ -199,11 +259,9 @@ normal_of(
 
 enum tcs_status
 coplanar_trace(struct coplanar *coplanar, const struct tcs_triangle *triangles,
-	uint32_t region, struct tcs_fault *fault)
+	const uint32_t *members, size_t count, bool *flat,
+	struct tcs_fault *fault)
 {
-	size_t first = coplanar->firsts.at[region];
-	size_t count = coplanar->firsts.at[region + 1] - first;
-	const uint32_t *members = coplanar->members.at + first;
 	struct border border = {triangles, normal_of(coplanar, members, count)};
 	size_t ring = coplanar->rings.count, corner = coplanar->corners.count;
 	uint32_t lowest = members[0];
@@ -218,9 +276,11 @@ coplanar_trace(struct coplanar *coplanar, const struct tcs_triangle *triangles,
 	}
 	if (status)
 		return status;
-	if (put_outer_first(coplanar, ring))
-		return add_face(coplanar, ring, lowest, fault);
+	*flat = put_outer_first(coplanar, ring) &&
+		is_flat(coplanar, ring, corner);
+	if (*flat)
+		return add_face(coplanar, &border, ring, corner, lowest, fault);
 	coplanar->rings.count = ring;
 	coplanar->corners.count = corner;
-	return add_triangles(coplanar, &border, members, count, fault);
+	return TCS_OK;
 }
