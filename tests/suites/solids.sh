@@ -45,6 +45,7 @@ change() {
 
 # A polygon turned round, one less, a vertex moved, a corner of all lifted,
 # everything turned round.
+# shellcheck disable=SC2016
 broken_solids_are_noticed() {
 	change '.polygons[3] |= (.vertices |= reverse |
 		.triangles |= map(reverse))' 'not closed'
