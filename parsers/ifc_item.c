@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "ifc_style.h"
+#include "ifc_sweep_curve.h"
 
 /* ---- bodies -------------------------------------------------------------- */
 
@@ -104,6 +105,18 @@ has_no_faces(const struct ifc_file *file, uint32_t item)
 		ifc_is_kind(file, item, IFC_EDGE);
 }
 
+/* One solid, of faces that its evaluator appends. */
+static enum ifc_outcome
+solid(struct ifc_shaper *shaper, uint32_t item,
+	enum ifc_outcome (*evaluate)(
+		struct ifc_shaper *, uint32_t, struct ifc_faces *),
+	struct ifc_body *out)
+{
+	enum ifc_outcome outcome = ifc_part_begin(out, IFC_PART_SOLID, item);
+
+	return outcome ? outcome : evaluate(shaper, item, &out->faces);
+}
+
 /* An item whose instance was entered. */
 static enum ifc_outcome
 body_inside(struct ifc_shaper *shaper, uint32_t item, struct ifc_body *out)
@@ -113,6 +126,22 @@ body_inside(struct ifc_shaper *shaper, uint32_t item, struct ifc_body *out)
 		return ifc_extrusion(shaper, item, out);
 	case IFC_REVOLVEDAREASOLID:
 		return ifc_revolution(shaper, item, out);
+	case IFC_EXTRUDEDAREASOLIDTAPERED:
+	case IFC_REVOLVEDAREASOLIDTAPERED:
+		return solid(shaper, item, ifc_tapered, out);
+	case IFC_SWEPTDISKSOLID:
+	case IFC_SWEPTDISKSOLIDPOLYGONAL:
+		return solid(shaper, item, ifc_swept_disk, out);
+	case IFC_FIXEDREFERENCESWEPTAREASOLID:
+	case IFC_DIRECTRIXDERIVEDREFERENCESWEPTAREASOLID:
+	case IFC_SURFACECURVESWEPTAREASOLID:
+		return solid(shaper, item, ifc_swept_area, out);
+	case IFC_BLOCK:
+	case IFC_RECTANGULARPYRAMID:
+	case IFC_RIGHTCIRCULARCONE:
+	case IFC_RIGHTCIRCULARCYLINDER:
+	case IFC_SPHERE:
+		return solid(shaper, item, ifc_primitive, out);
 	case IFC_FACETEDBREP:
 	case IFC_FACETEDBREPWITHVOIDS:
 		return ifc_brep(shaper, item, out);
