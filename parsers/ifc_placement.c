@@ -3,6 +3,12 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "ifc_placement_grid.h"
+#include "ifc_units.h"
+
+/* In metres, for the curves that placements lie on. */
+static const double DEFLECTION = 1e-4, PRECISION = 1e-6;
+
 /* The state of a placement while the chains are multiplied out. */
 enum { UNSEEN, WAITING, DONE };
 
@@ -10,6 +16,7 @@ struct resolving {
 	const struct ifc_file *file;
 	struct ifc_placements *placements;
 	struct report *report;
+	struct ifc_shaper shaper; /* for those along curves */
 	unsigned char *states;
 	uint32_t *chain; /* indices, from the first asked for up to the root */
 	int parent_at, relative_at, cartesian_at;
@@ -63,8 +70,8 @@ is_finite(const struct ifc_matrix *matrix)
 
 /* The matrix of a placement by itself; NULL, or why there is none. */
 static const char *
-own_matrix(const struct resolving *resolving,
-	const struct ifc_placement *placement, struct ifc_matrix *out)
+own_matrix(struct resolving *resolving, const struct ifc_placement *placement,
+	struct ifc_matrix *out)
 {
 	const struct ifc_file *file = resolving->file;
 	uint32_t instance = placement->instance;
@@ -82,9 +89,34 @@ own_matrix(const struct resolving *resolving,
 			    out))
 			return NULL;
 		return "along a curve, without a Cartesian position";
+	case IFC_GRIDPLACEMENT:
+		return ifc_grid_matrix(&resolving->shaper, instance, out);
 	default:
 		return "of a kind not supported";
 	}
+}
+
+/* Grid placements had no such attribute before IFC4X3. */
+static bool
+has_parent(const struct resolving *resolving, uint32_t instance)
+{
+	const struct ifc_file *file = resolving->file;
+	int position = ifc_attribute(
+		file->version, ifc_entity_of(file, instance), "PlacementRelTo");
+
+	return position != IFC_NO_POSITION &&
+		ifc_value(file, instance, position).kind != STEP_UNSET;
+}
+
+static uint32_t
+parent_of(const struct resolving *resolving, uint32_t instance)
+{
+	const struct ifc_file *file = resolving->file;
+
+	if (ifc_entity_of(file, instance) == IFC_GRIDPLACEMENT &&
+		!has_parent(resolving, instance))
+		return ifc_grid_placement_of(file, instance);
+	return ifc_target(file, instance, resolving->parent_at);
 }
 
 /* The placement's parent is done, or it has none. */
@@ -100,10 +132,7 @@ placement_finish(struct resolving *resolving, struct ifc_placement *placement,
 
 	if (!reason && parent && !parent->known)
 		reason = "relative to one that is not known";
-	if (!reason && !parent &&
-		ifc_value(resolving->file, placement->instance,
-			resolving->parent_at)
-				.kind != STEP_UNSET)
+	if (!reason && !parent && has_parent(resolving, placement->instance))
 		reason = "relative to what is no placement";
 	if (reason)
 		return unknown(resolving, placement, reason, fault);
@@ -179,13 +208,30 @@ placements_list(struct resolving *resolving, struct tcs_fault *fault)
 				.world = ifc_identity};
 	array_release(&found);
 	for (size_t i = 0; i < out->count && !status; i++) {
-		const struct ifc_placement *parent = placement_at(out,
-			ifc_target(file, out->at[i].instance,
-				resolving->parent_at));
+		const struct ifc_placement *parent = placement_at(
+			out, parent_of(resolving, out->at[i].instance));
 
 		if (parent)
 			out->at[i].parent = (uint32_t)(parent - out->at);
 	}
+	return status;
+}
+
+/* What evaluates the curves that placements lie on. */
+static enum tcs_status
+shaper_make(const struct ifc_file *file, struct ifc_shaper *out,
+	struct tcs_fault *fault)
+{
+	struct report unread = {.reasons = {.count = 0}};
+	struct ifc_units units;
+	enum tcs_status status = ifc_units_read(file, &units, &unread, fault);
+
+	report_release(&unread);
+	if (!status)
+		*out = (struct ifc_shaper){.file = file,
+			.angle = units.angle,
+			.deflection = DEFLECTION / units.length,
+			.precision = PRECISION / units.length};
 	return status;
 }
 
@@ -205,7 +251,9 @@ ifc_placements_read(const struct ifc_file *file, struct ifc_placements *out,
 	enum tcs_status status;
 
 	array_clear(out);
-	status = placements_list(&resolving, fault);
+	status = shaper_make(file, &resolving.shaper, fault);
+	if (!status)
+		status = placements_list(&resolving, fault);
 	if (status)
 		return status;
 	resolving.states = calloc(out->count + 1, 1);

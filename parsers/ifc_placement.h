@@ -67,9 +67,9 @@ TCS_ARRAY_TYPE(ifc_placements, struct ifc_placement);
 
 /*
  * All object placements of the file, in its order, each multiplied out once,
- * without recursion. A linear placement is taken by its CartesianPosition. One
- * that is part of a cycle, malformed, on a grid, or relative to such a one is
- * not known; each of these is reported as skipped, with the reason. Fails with
+ * without recursion. A linear placement is taken by its CartesianPosition, one
+ * on a grid is relative to the grid. One that is part of a cycle, malformed, or
+ * relative to such a one is not known; each of these is reported as skipped, with the reason. Fails with
  * TCS_NO_MEMORY.
  */
 enum tcs_status ifc_placements_read(const struct ifc_file *file,
