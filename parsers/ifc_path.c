@@ -168,6 +168,19 @@ cut_by_length(struct ifc_shaper *shaper, struct ifc_points *points,
 	return outcome;
 }
 
+/*
+ * Whether the parameters are 0 and 1 on a polyline of more than one edge, with
+ * which programs mean its ends.
+ */
+static bool
+are_ends(const struct ifc_file *file, uint32_t curve, double from, double to)
+{
+	enum ifc_entity entity = ifc_entity_of(file, curve);
+
+	return from == 0 && to == 1 &&
+		(entity == IFC_POLYLINE || entity == IFC_INDEXEDPOLYCURVE);
+}
+
 static enum ifc_outcome
 points_between(struct ifc_shaper *shaper, uint32_t curve,
 	const struct step_value *start, const struct step_value *end,
@@ -175,13 +188,14 @@ points_between(struct ifc_shaper *shaper, uint32_t curve,
 {
 	double from, to, low = -HUGE_VAL, high = HUGE_VAL;
 	bool starts = step_number(start, &low), ends = step_number(end, &high);
+	bool whole =
+		(!starts && !ends) || are_ends(shaper->file, curve, low, high);
 	enum ifc_outcome outcome;
 
-	if ((!starts && !ends) || is_length(start) || is_length(end)) {
+	if (whole || is_length(start) || is_length(end)) {
 		outcome = ifc_curve_points(shaper, curve, out);
-		return outcome || (!starts && !ends)
-			? outcome
-			: cut_by_length(shaper, out, low, high);
+		return outcome || whole ? outcome
+					: cut_by_length(shaper, out, low, high);
 	}
 	outcome = ifc_curve_range(shaper, curve, &from, &to);
 	return outcome ? outcome

@@ -257,7 +257,10 @@ z_shape(struct ifc_shaper *shaper, uint32_t profile, struct ifc_faces *out)
 		8, out);
 }
 
-/* Bent from a sheet: outside, the radius is larger by its thickness. */
+/*
+ * Bent from a sheet: outside, the radius is larger by its thickness. A girth no
+ * longer than that makes no lips.
+ */
 static enum ifc_outcome
 c_shape(struct ifc_shaper *shaper, uint32_t profile, struct ifc_faces *out)
 {
@@ -266,12 +269,17 @@ c_shape(struct ifc_shaper *shaper, uint32_t profile, struct ifc_faces *out)
 	double wall = number(shaper, profile, "WallThickness");
 	double girth = number(shaper, profile, "Girth");
 	double in = number(shaper, profile, "InternalFilletRadius");
-	double on = in > 0 ? in + wall : 0;
-	double lip = y - girth;
+	double on = in > 0 ? in + wall : 0, lip = y - girth;
 
-	if (!(wall > 0) || !(2 * wall < fmin(2 * x, 2 * y)) ||
-		!(girth > wall) || !(lip > 0))
+	if (!(wall > 0) || !(2 * wall < fmin(2 * x, 2 * y)) || !(lip > 0))
 		return misfit(shaper, profile);
+	if (!(girth > wall))
+		return ifc_corners_ring(shaper,
+			(struct ifc_corner[]){{-x, -y, on}, {x, -y, 0},
+				{x, wall - y, 0}, {wall - x, wall - y, in},
+				{wall - x, y - wall, in}, {x, y - wall, 0},
+				{x, y, 0}, {-x, y, on}},
+			8, out);
 	return ifc_corners_ring(shaper,
 		(struct ifc_corner[]){{-x, -y, on}, {x, -y, on}, {x, -lip, 0},
 			{x - wall, -lip, 0}, {x - wall, wall - y, in},

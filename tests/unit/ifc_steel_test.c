@@ -43,6 +43,8 @@ sections_have_their_areas(void)
 			200 + 210, 2 * 9 - 2 * 4},
 		{"#100=IFCCSHAPEPROFILEDEF(.AREA.,$,$,50.,25.,5.,10.,$);",
 			50 * 25 - 15 * 40 - 5 * 30, 0},
+		{"#100=IFCCSHAPEPROFILEDEF(.AREA.,$,$,50.,25.,5.,5.,2.);",
+			50 * 25 - 20 * 40, 2 * 4 - 2 * 49},
 		{"#100=IFCCSHAPEPROFILEDEF(.AREA.,$,$,50.,25.,5.,10.,2.);",
 			50 * 25 - 15 * 40 - 5 * 30, 4 * 4 - 4 * 49},
 	};
