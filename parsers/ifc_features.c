@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "ifc_attributes.h"
 #include "ifc_class.h"
 #include "ifc_spelling.h"
 #include "step_string.h"

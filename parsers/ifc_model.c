@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "ifc_unit_names.h"
+
 enum { CONTEXT_PRECISION = 3 };
 
 /* Points nearer than this, in metres, are one where a file does not say. */
@@ -52,14 +54,18 @@ ifc_model_read(struct ifc_model *model, const char *text, size_t length,
 	if (!status)
 		status = ifc_styles_read(&model->file, &model->styles, fault);
 	if (!status)
-		model->precision =
-			precision_read(&model->file, model->units.length);
-	return status;
+		status = ifc_links_read(&model->file, &model->links, fault);
+	if (status)
+		return status;
+	model->unit_assignment = ifc_unit_assignment(&model->file);
+	model->precision = precision_read(&model->file, model->units.length);
+	return TCS_OK;
 }
 
 void
 ifc_model_release(struct ifc_model *model)
 {
+	array_release(&model->links);
 	ifc_styles_release(&model->styles);
 	ifc_objects_release(&model->objects);
 	array_release(&model->tree);

@@ -5,6 +5,7 @@
 #ifndef TESSERA_IFC_MODEL_H
 #define TESSERA_IFC_MODEL_H
 
+#include "ifc_links.h"
 #include "ifc_objects.h"
 #include "ifc_placement.h"
 #include "ifc_style.h"
@@ -18,6 +19,8 @@ struct ifc_model {
 	struct ifc_tree tree;
 	struct ifc_objects objects;
 	struct ifc_styles styles;
+	struct ifc_links links;
+	uint32_t unit_assignment; /* of the project; STEP_NONE */
 	double precision; /* of the file's lengths */
 };
 

@@ -1,5 +1,6 @@
 #include "ifc_product.h"
 
+#include "ifc_attributes.h"
 #include "ifc_representation.h"
 
 enum { PRODUCT_PLACEMENT = 5, LOD = 3 };
@@ -77,6 +78,17 @@ items_shape(struct ifc_worker *worker, uint32_t representation, const char *id,
 	return status;
 }
 
+/* Faces that no style paints have that of the product's material. */
+static void
+body_paint(struct ifc_worker *worker, uint32_t paint)
+{
+	struct ifc_faces *faces = &worker->body.faces;
+
+	for (size_t i = 0; paint && i < faces->faces.count; i++)
+		if (!faces->faces.at[i].paint)
+			faces->faces.at[i].paint = paint;
+}
+
 /* From the product's coordinates, in the file's unit, to the stream's. */
 static bool
 product_matrix(const struct ifc_worker *worker, uint32_t product,
@@ -117,6 +129,7 @@ ifc_product_shape(struct ifc_worker *worker, uint32_t node, uint32_t feature,
 		return report_item(report, REPORT_SKIPPED, "product",
 			"where it stands is not known", id, TCS_NOWHERE, fault);
 	status = items_shape(worker, body, id, report, fault);
+	body_paint(worker, ifc_material_paint(worker->model, product));
 	if (!status)
 		status = ifc_polygons_add(worker->triangulator, &worker->body,
 			&(struct ifc_target_feature){&matrix, feature, LOD, id},

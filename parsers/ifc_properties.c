@@ -1,0 +1,356 @@
+#include <math.h>
+#include <string.h>
+
+#include "ifc_attributes.h"
+#include "ifc_features.h"
+#include "ifc_unit_names.h"
+#include "step_string.h"
+
+enum { SET_NAME = 2 };
+
+enum { PROPERTY_NAME = 0, MOST_DEPTH = 8 };
+
+enum { SINGLE_VALUE = 2, SINGLE_UNIT = 3 };
+
+enum { QUANTITY_UNIT = 2, QUANTITY_VALUE = 3 };
+
+/* ---- values -------------------------------------------------------------- */
+
+static enum tcs_status
+text_plain(struct tcs_object *out, const char *text, size_t length,
+	tcs_text *to, struct tcs_fault *fault)
+{
+	return length ? text_append(out, text, length, to, fault) : TCS_OK;
+}
+
+static enum tcs_status
+truth_fill(const struct step_value *value, struct tcs_object *out,
+	struct tcs_attribute *to, struct tcs_fault *fault)
+{
+	bool yes = step_is(value, "T"), no = step_is(value, "F");
+	const char *word = yes ? "true" : no ? "false" : "unknown";
+
+	if (!yes && !no && !step_is(value, "U"))
+		return text_plain(
+			out, value->text, value->length, &to->value, fault);
+	if (yes || no) {
+		to->type = TCS_BOOLEAN;
+		to->number = yes;
+	}
+	return text_plain(out, word, strlen(word), &to->value, fault);
+}
+
+static enum tcs_status
+number_fill(const struct step_value *value, const char *unit,
+	struct tcs_object *out, struct tcs_attribute *to,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status =
+		text_plain(out, value->text, value->length, &to->value, fault);
+
+	if (value->kind == STEP_INTEGER) {
+		to->type = TCS_INTEGER;
+		to->number = (double)value->integer;
+	} else {
+		to->type = TCS_DOUBLE;
+		to->number = value->real;
+	}
+	if (status || !*unit)
+		return status;
+	to->type = TCS_MEASURE;
+	return text_plain(out, unit, strlen(unit), &to->unit, fault);
+}
+
+/* The values of a list, as "a, b". */
+static enum tcs_status
+list_fill(const struct step_value *list, struct tcs_object *out,
+	struct tcs_attribute *to, struct tcs_fault *fault)
+{
+	struct step_text joined = {.count = 0};
+	struct step_cursor walk = list->list;
+	enum tcs_status status = TCS_OK;
+	struct step_value item;
+	unsigned trouble = 0;
+
+	while (!status && step_next(&walk, &item) > STEP_END) {
+		struct step_value inner = step_untyped(&item);
+
+		if (inner.kind == STEP_LIST || inner.kind == STEP_UNSET)
+			continue;
+		if (joined.count)
+			status = step_decode(&joined, ", ", 2, &trouble, fault);
+		if (!status)
+			status = step_decode(&joined, inner.text, inner.length,
+				&trouble, fault);
+	}
+	if (!status)
+		status = text_plain(
+			out, joined.at, joined.count, &to->value, fault);
+	array_release(&joined);
+	return status;
+}
+
+/* The type, value, number and unit; *unset where there is no value. */
+static enum tcs_status
+value_fill(const struct ifc_saying *saying, const struct step_value *value,
+	uint32_t unit, struct tcs_attribute *to, bool *unset,
+	struct tcs_fault *fault)
+{
+	const struct ifc_file *file = &saying->model->file;
+	struct step_value inner = step_untyped(value);
+	char name[IFC_UNIT_ROOM] = "";
+
+	to->type = TCS_STRING;
+	to->number = NAN;
+	*unset = false;
+	switch (inner.kind) {
+	case STEP_STRING:
+		return ifc_text_add(saying->out, &inner, &to->value, fault);
+	case STEP_ENUMERATION:
+		return truth_fill(&inner, saying->out, to, fault);
+	case STEP_INTEGER:
+	case STEP_REAL:
+		if (unit == STEP_NONE && value->kind == STEP_TYPED)
+			unit = ifc_unit_of_measure(file,
+				saying->model->unit_assignment, value->text,
+				value->length);
+		if (unit != STEP_NONE)
+			ifc_unit_name(file, unit, name);
+		return number_fill(&inner, name, saying->out, to, fault);
+	case STEP_LIST:
+		return list_fill(&inner, saying->out, to, fault);
+	default:
+		*unset = true;
+		return TCS_OK;
+	}
+}
+
+static enum tcs_status
+attribute_push(const struct ifc_saying *saying, struct tcs_attribute attribute,
+	struct tcs_fault *fault)
+{
+	attribute.feature = saying->feature;
+	attribute.flags = TCS_ATTRIBUTE_GENERIC;
+	if (array_grow(&saying->out->attributes, 1))
+		return fault_memory(fault);
+	saying->out->attributes.at[saying->out->attributes.count++] = attribute;
+	return TCS_OK;
+}
+
+enum tcs_status
+ifc_attribute_value(struct ifc_saying *saying, uint32_t parent,
+	const char *name, const struct step_value *value, uint32_t unit,
+	struct tcs_fault *fault)
+{
+	struct tcs_attribute attribute = {.parent = parent};
+	enum tcs_status status;
+	bool unset;
+
+	status = value_fill(saying, value, unit, &attribute, &unset, fault);
+	if (status || unset)
+		return status;
+	status = text_plain(
+		saying->out, name, strlen(name), &attribute.name, fault);
+	return status ? status : attribute_push(saying, attribute, fault);
+}
+
+enum tcs_status
+ifc_attribute_set(struct ifc_saying *saying, uint32_t parent, tcs_text name,
+	uint32_t *set, struct tcs_fault *fault)
+{
+	*set = (uint32_t)saying->out->attributes.count;
+	return attribute_push(saying,
+		(struct tcs_attribute){.number = NAN,
+			.parent = parent,
+			.name = name,
+			.type = TCS_SET},
+		fault);
+}
+
+/* ---- properties ---------------------------------------------------------- */
+
+/* The attribute of the feature with a name and parent; TCS_NONE. */
+static uint32_t
+attribute_find(const struct ifc_saying *saying, uint32_t parent, tcs_text name)
+{
+	const struct tcs_object *out = saying->out;
+	const char *wanted = object_text(out, name);
+
+	for (size_t i = saying->first; i < out->attributes.count; i++)
+		if (out->attributes.at[i].parent == parent &&
+			!strcmp(object_text(out, out->attributes.at[i].name),
+				wanted))
+			return (uint32_t)i;
+	return TCS_NONE;
+}
+
+/* A name that is said already is passed over: false in *fresh. */
+static enum tcs_status
+name_take(const struct ifc_saying *saying, uint32_t parent, uint32_t property,
+	tcs_text *name, bool *fresh, struct tcs_fault *fault)
+{
+	struct step_value value =
+		ifc_value(&saying->model->file, property, PROPERTY_NAME);
+	enum tcs_status status = ifc_text_add(saying->out, &value, name, fault);
+
+	*fresh = !status && *name &&
+		attribute_find(saying, parent, *name) == TCS_NONE;
+	return status;
+}
+
+/* The type of unit that a quantity has where it names none; "" for a count. */
+static const char *
+quantity_unit(enum ifc_entity entity)
+{
+	switch (entity) {
+	case IFC_QUANTITYLENGTH:
+		return "LENGTHUNIT";
+	case IFC_QUANTITYAREA:
+		return "AREAUNIT";
+	case IFC_QUANTITYVOLUME:
+		return "VOLUMEUNIT";
+	case IFC_QUANTITYWEIGHT:
+		return "MASSUNIT";
+	case IFC_QUANTITYTIME:
+		return "TIMEUNIT";
+	default:
+		return "";
+	}
+}
+
+static enum tcs_status
+named_value(struct ifc_saying *saying, uint32_t parent, tcs_text name,
+	const struct step_value *value, uint32_t unit, struct tcs_fault *fault)
+{
+	struct tcs_attribute attribute = {.parent = parent, .name = name};
+	enum tcs_status status;
+	bool unset;
+
+	status = value_fill(saying, value, unit, &attribute, &unset, fault);
+	return status || unset ? status
+			       : attribute_push(saying, attribute, fault);
+}
+
+static enum tcs_status
+bounds_write(struct ifc_saying *saying, uint32_t parent, uint32_t property,
+	tcs_text name, struct tcs_fault *fault)
+{
+	static const char *const names[] = {"Upper", "Lower"};
+	const struct ifc_file *file = &saying->model->file;
+	uint32_t set, unit = ifc_target(file, property, 4);
+	enum tcs_status status =
+		ifc_attribute_set(saying, parent, name, &set, fault);
+
+	for (int i = 0; i < 2 && !status; i++) {
+		struct step_value value = ifc_value(file, property, 2 + i);
+
+		status = ifc_attribute_value(
+			saying, set, names[i], &value, unit, fault);
+	}
+	return status;
+}
+
+static enum tcs_status properties_list(struct ifc_saying *saying,
+	uint32_t parent, struct step_value list, unsigned depth,
+	struct tcs_fault *fault);
+
+/* One property or quantity with a name that is new. */
+static enum tcs_status
+property_write(struct ifc_saying *saying, uint32_t parent, uint32_t property,
+	tcs_text name, unsigned depth, struct tcs_fault *fault)
+{
+	const struct ifc_file *file = &saying->model->file;
+	enum ifc_entity entity = ifc_entity_of(file, property);
+	struct step_value value = ifc_value(file, property, SINGLE_VALUE);
+	uint32_t unit = ifc_target(file, property, SINGLE_UNIT), set;
+	enum tcs_status status;
+
+	if (ifc_is(file->version, entity, IFC_PHYSICALSIMPLEQUANTITY)) {
+		const char *type = quantity_unit(entity);
+
+		value = ifc_value(file, property, QUANTITY_VALUE);
+		unit = ifc_target(file, property, QUANTITY_UNIT);
+		if (unit == STEP_NONE && *type)
+			unit = ifc_unit_of_type(file,
+				saying->model->unit_assignment, type,
+				strlen(type));
+		return named_value(saying, parent, name, &value, unit, fault);
+	}
+	switch (entity) {
+	case IFC_PROPERTYSINGLEVALUE:
+	case IFC_PROPERTYLISTVALUE:
+		return named_value(saying, parent, name, &value, unit, fault);
+	case IFC_PROPERTYENUMERATEDVALUE:
+		return named_value(
+			saying, parent, name, &value, STEP_NONE, fault);
+	case IFC_PROPERTYBOUNDEDVALUE:
+		return bounds_write(saying, parent, property, name, fault);
+	case IFC_COMPLEXPROPERTY:
+	case IFC_PHYSICALCOMPLEXQUANTITY:
+		if (depth == MOST_DEPTH)
+			return TCS_OK;
+		status = ifc_attribute_set(saying, parent, name, &set, fault);
+		if (status)
+			return status;
+		return properties_list(saying, set,
+			ifc_value(file, property,
+				entity == IFC_COMPLEXPROPERTY ? 3 : 2),
+			depth + 1, fault);
+	default:
+		return TCS_OK;
+	}
+}
+
+static enum tcs_status
+properties_list(struct ifc_saying *saying, uint32_t parent,
+	struct step_value list, unsigned depth, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+	struct step_value item;
+
+	while (!status && list.kind == STEP_LIST &&
+		saying->out->attributes.count - saying->first <
+			IFC_MOST_ATTRIBUTES &&
+		step_next(&list.list, &item) > STEP_END) {
+		uint32_t property =
+			step_target(saying->model->file.step, &item);
+		tcs_text name;
+		bool fresh;
+
+		status = name_take(
+			saying, parent, property, &name, &fresh, fault);
+		if (!status && fresh)
+			status = property_write(
+				saying, parent, property, name, depth, fault);
+	}
+	return status;
+}
+
+enum tcs_status
+ifc_properties_write(
+	struct ifc_saying *saying, uint32_t set, struct tcs_fault *fault)
+{
+	const struct ifc_file *file = &saying->model->file;
+	enum ifc_entity entity = ifc_entity_of(file, set);
+	struct step_value value = ifc_value(file, set, SET_NAME);
+	enum tcs_status status;
+	uint32_t at;
+	tcs_text name;
+
+	if (entity != IFC_PROPERTYSET && entity != IFC_ELEMENTQUANTITY)
+		return TCS_OK;
+	status = ifc_text_add(saying->out, &value, &name, fault);
+	if (!status && !name)
+		status = text_append(
+			saying->out, "Properties", 10, &name, fault);
+	if (status)
+		return status;
+	at = attribute_find(saying, TCS_NONE, name);
+	if (at == TCS_NONE || saying->out->attributes.at[at].type != TCS_SET)
+		status = ifc_attribute_set(saying, TCS_NONE, name, &at, fault);
+	if (status)
+		return status;
+	return properties_list(saying, at,
+		ifc_value(file, set, entity == IFC_PROPERTYSET ? 4 : 5), 0,
+		fault);
+}
