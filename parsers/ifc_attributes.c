@@ -1,31 +1,52 @@
 #include "ifc_attributes.h"
 
 #include "ifc_features.h"
+#include "ifc_unit_names.h"
 
 enum { NAME = 2, TYPE_PROPERTY_SETS = 5 };
 
-/* Direct attributes that are kept, under their own names. */
-static const char *const direct[] = {"Description", "ObjectType", "LongName",
-	"Tag", "PredefinedType", "CompositionType", "Elevation",
-	"OverallHeight", "OverallWidth", "OperationType", "NumberOfRisers",
-	"NumberOfTreads", "RiserHeight", "TreadLength", "RefElevation"};
+/* Direct attributes that are kept, under their own names; lengths or not. */
+static const struct {
+	const char *name;
+	bool is_length;
+} direct[] = {
+	{"Description", false},
+	{"ObjectType", false},
+	{"LongName", false},
+	{"Tag", false},
+	{"PredefinedType", false},
+	{"Elevation", true},
+	{"RefElevation", true},
+	{"OverallHeight", true},
+	{"OverallWidth", true},
+	{"OperationType", false},
+	{"NumberOfRisers", false},
+	{"NumberOfTreads", false},
+	{"RiserHeight", true},
+	{"TreadLength", true},
+};
 
 static enum tcs_status
 direct_write(
 	struct ifc_saying *saying, uint32_t instance, struct tcs_fault *fault)
 {
-	const struct ifc_file *file = &saying->model->file;
+	const struct ifc_model *model = saying->model;
+	const struct ifc_file *file = &model->file;
 	enum ifc_entity entity = ifc_entity_of(file, instance);
+	uint32_t length = ifc_unit_of_type(
+		file, model->unit_assignment, "LENGTHUNIT", 10);
 	enum tcs_status status = TCS_OK;
 
 	for (size_t i = 0; i < sizeof direct / sizeof *direct && !status; i++) {
-		int position = ifc_attribute(file->version, entity, direct[i]);
+		int position =
+			ifc_attribute(file->version, entity, direct[i].name);
 		struct step_value value = ifc_value(file, instance, position);
 
-		if (position == IFC_NO_POSITION)
-			continue;
-		status = ifc_attribute_value(
-			saying, TCS_NONE, direct[i], &value, STEP_NONE, fault);
+		if (position != IFC_NO_POSITION)
+			status = ifc_attribute_value(saying, TCS_NONE,
+				direct[i].name, &value,
+				direct[i].is_length ? length : STEP_NONE,
+				fault);
 	}
 	return status;
 }

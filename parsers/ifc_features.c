@@ -117,6 +117,10 @@ ifc_features_write(const struct ifc_model *model,
 	for (uint32_t i = 0; i < object->member_count && !status; i++) {
 		status = feature_add(model, members + i, out, fault);
 		if (!status)
+			status = ifc_attributes_write(model,
+				model->tree.at[members[i].node].instance, i,
+				out, fault);
+		if (!status)
 			status = filling_add(model, members + i, i, out, fault);
 	}
 	return status;

@@ -8,7 +8,7 @@
 
 enum { SET_NAME = 2 };
 
-enum { PROPERTY_NAME = 0, MOST_DEPTH = 8 };
+enum { PROPERTY_NAME = 0, MOST_DEPTH = 4 };
 
 enum { SINGLE_VALUE = 2, SINGLE_UNIT = 3 };
 
