@@ -435,6 +435,8 @@ static const struct passed passed_options[] = {
 		.value = NULL},
 	{"max-depth", "N", "Deepest nesting of elements to read.",
 		{"citygml2tcs"}, .value = NULL},
+	{"max-library", "N", "Largest library object to read.", {"citygml2tcs"},
+		.value = NULL},
 	{"max-record", "BYTES", "Largest record of the stream.",
 		{"json2tcs", "tcs2json", "tcs2gltf", "tcs2citygml"},
 		.value = NULL},

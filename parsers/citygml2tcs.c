@@ -99,6 +99,7 @@ main(int argc, char **argv)
 		.lods.highest = true,
 		.reading.xml = {.depth = 512, .tag = 64 << 20},
 		.reading.max_feature = (uint64_t)2 << 30,
+		.reading.max_library = 16 << 20,
 	};
 	uint64_t max_bytes = 0;
 	const struct option_row rows[] = {
@@ -148,6 +149,12 @@ main(int argc, char **argv)
 			.help = "Fail when a top-level feature is longer than "
 				"N bytes (default: 2G).",
 			.target = &options.reading.max_feature},
+		{.type = OPTION_BYTES,
+			.name = "max-library",
+			.argument = "N",
+			.help = "Skip library objects of more than N bytes "
+				"(default: 16M).",
+			.target = &options.reading.max_library},
 		{.type = OPTION_BYTES,
 			.name = "max-bytes",
 			.argument = "N",

@@ -14,13 +14,6 @@
 #include "citygml_reader.h"
 #include "number.h"
 
-static const struct tcs_material plain_material = {
-	.diffuse = {0.8f, 0.8f, 0.8f},
-	.specular = {1, 1, 1},
-	.ambient = 0.2f,
-	.shininess = 0.2f,
-};
-
 /* ---- targets ------------------------------------------------------------------ */
 
 static enum tcs_status
@@ -244,7 +237,7 @@ surface_data_begin(struct gml_reader *reader, const struct name *name,
 	reader->back = false;
 	reader->georeference = (struct georeference){.has_anchor = false};
 	if (name->kind == NAME_MATERIAL)
-		reader->material = plain_material;
+		reader->material = material_plain();
 	for (size_t i = 0; !status && i < sizeof texts / sizeof *texts; i++)
 		status = text_keep(texts[i], "", 0, fault);
 	if (status)
@@ -356,6 +349,8 @@ appearance_release(struct gml_reader *reader)
 	keys_release(&reader->materials);
 	keys_release(&reader->images);
 	keys_release(&reader->files);
+	keys_release(&reader->meshes);
+	array_release(&reader->mesh_problems);
 	palette_release(&reader->palette);
 	store_release(&reader->store);
 	folder_close(&reader->folder);

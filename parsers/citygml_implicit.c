@@ -43,6 +43,25 @@ template_link(struct gml_reader *reader, const struct xml_attribute *href,
 	return TCS_OK;
 }
 
+enum tcs_status
+template_add(struct gml_reader *reader, const char *key, uint32_t geometry,
+	struct raw_instance *instance, struct tcs_fault *fault)
+{
+	struct raw_object *raw = reader->raw;
+	enum tcs_status status;
+	bool added;
+
+	status = keys_add(
+		&reader->templates, key, &instance->prototype, &added, fault);
+	if (status || !added)
+		return status;
+	if (array_grow(&raw->templates, 1))
+		return fault_memory(fault);
+	raw->templates.at[raw->templates.count++] =
+		(struct raw_template){geometry, instance->prototype};
+	return TCS_OK;
+}
+
 /* The geometry below relativeGMLGeometry is complete. */
 static enum tcs_status
 template_end(struct gml_reader *reader, struct tcs_fault *fault)
@@ -51,27 +70,18 @@ template_end(struct gml_reader *reader, struct tcs_fault *fault)
 	struct raw_instance *instance = instance_last(reader);
 	uint32_t geometry = instance->geometry;
 	char place[64];
-	enum tcs_status status;
 	const char *id;
-	bool added;
 
 	if (geometry == raw->geometries.count)
 		return TCS_OK; /* there was none */
 	id = object_text(&raw->tree, raw->geometries.at[geometry].id);
 	if (!*id) {
-		snprintf(place, sizeof place, "\n%llu.%u",
-			(unsigned long long)raw->place.number, geometry);
+		snprintf(place, sizeof place, "\n%llu.%zu",
+			(unsigned long long)raw->place.number,
+			raw->instances.count);
 		id = place;
 	}
-	status = keys_add(
-		&reader->templates, id, &instance->prototype, &added, fault);
-	if (status || !added)
-		return status;
-	if (array_grow(&raw->templates, 1))
-		return fault_memory(fault);
-	raw->templates.at[raw->templates.count++] =
-		(struct raw_template){geometry, instance->prototype};
-	return TCS_OK;
+	return template_add(reader, id, geometry, instance, fault);
 }
 
 /* ---- the placement -------------------------------------------------------------- */
@@ -155,21 +165,6 @@ anchor_end(struct gml_reader *reader)
 		reader, system, reader->text.at, reader->text.count);
 }
 
-/* An object in another file: named, not fetched. */
-static enum tcs_status
-library_object_end(struct gml_reader *reader, struct tcs_fault *fault)
-{
-	char name[128];
-	const char *at;
-	size_t length;
-
-	gml_trimmed(reader, &at, &length);
-	snprintf(name, sizeof name, "%.*s", length < 100 ? (int)length : 100,
-		at);
-	return gml_skipped(reader, "implicit geometry",
-		"its template is a file of its own", name, fault);
-}
-
 enum tcs_status
 implicit_end(
 	struct gml_reader *reader, struct frame *frame, struct tcs_fault *fault)
@@ -183,7 +178,7 @@ implicit_end(
 				instance->matrix, 16) == 16;
 		return TCS_OK;
 	case NAME_IMPLICIT_OBJECT:
-		return library_object_end(reader, fault);
+		return mesh_take(reader, instance, fault);
 	case NAME_IMPLICIT_TEMPLATE:
 		return frame->has_children ? template_end(reader, fault)
 					   : TCS_OK;

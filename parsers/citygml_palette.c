@@ -29,6 +29,17 @@ palette_text_add(struct gml_reader *reader, const struct kept_text *text,
 	return text_append(&reader->palette, text->at, text->count, out, fault);
 }
 
+struct tcs_material
+material_plain(void)
+{
+	return (struct tcs_material){
+		.diffuse = {0.8f, 0.8f, 0.8f},
+		.specular = {1, 1, 1},
+		.ambient = 0.2f,
+		.shininess = 0.2f,
+	};
+}
+
 /* The material's fields as hexadecimal digits, and its id, are its key. */
 enum tcs_status
 material_intern(

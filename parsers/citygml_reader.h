@@ -10,6 +10,7 @@
  *     citygml_attributes.c  what becomes of the text of properties
  *     citygml_geometry.c    GML geometry
  *     citygml_implicit.c    templates and where they are placed
+ *     citygml_mesh.c        templates that are files of their own
  *     citygml_appearance.c  themes, materials and textures
  *     citygml_palette.c     the tables of these
  *     citygml_mapping.c     where textures lie on surfaces
@@ -99,6 +100,7 @@ struct gml_options {
 	uint64_t max_feature; /* bytes of a top-level feature, give or take the
 	                         pieces that are fed; 0: any */
 	const char *folder; /* of the document's other files; NULL: none */
+	uint64_t max_library; /* bytes of one that is read as a template */
 	bool drop_extensions; /* what is of no namespace of CityGML's or GML's
 	                         below the model is not read */
 };
@@ -141,8 +143,10 @@ struct gml_reader {
 	uint32_t solids; /* of the geometry being read */
 	uint32_t pos_ring; /* geometry: the ring that takes positions */
 
-	/* templates, numbered as they come; by id, or by place without one */
+	/* templates, numbered as they come; by id, by file, or else by place */
 	struct key_table templates;
+	struct key_table meshes; /* files that are no templates … */
+	TCS_ARRAY(const char *) mesh_problems; /* … and why */
 
 	/* appearance */
 	struct kept_text theme;
@@ -304,6 +308,15 @@ enum tcs_status implicit_child(struct gml_reader *reader, struct name *name,
 enum tcs_status implicit_end(struct gml_reader *reader, struct frame *frame,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* A geometry of the object is the template of this key. */
+enum tcs_status template_add(struct gml_reader *reader, const char *key,
+	uint32_t geometry, struct raw_instance *instance,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The text of a libraryObject is the template of this instance. */
+enum tcs_status mesh_take(struct gml_reader *reader,
+	struct raw_instance *instance, struct tcs_fault *fault) TCS_CHECKED;
+
 enum tcs_status appearance_child(struct gml_reader *reader, struct name *name,
 	const struct xml_attribute *attributes, size_t count,
 	struct tcs_fault *fault) TCS_CHECKED;
@@ -315,6 +328,9 @@ enum tcs_status gml_keep(struct gml_reader *reader, struct kept_text *to,
 	struct tcs_fault *fault) TCS_CHECKED;
 enum tcs_status text_keep(struct kept_text *to, const char *bytes,
 	size_t length, struct tcs_fault *fault) TCS_CHECKED;
+
+/* What a material is where nothing is said of it (CityGML 2.0 9.2). */
+struct tcs_material material_plain(void);
 
 /* The numbers in the stream's tables of what is being read. */
 enum tcs_status material_intern(struct gml_reader *reader, uint32_t *out,

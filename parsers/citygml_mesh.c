@@ -1,0 +1,233 @@
+/*
+ * Templates of implicit geometry that are files of their own: read once, as if
+ * their faces stood in the document where their name does.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "citygml_reader.h"
+#include "mesh_file.h"
+#include "number.h"
+
+/* ---- faces as polygons ------------------------------------------------------- */
+
+static enum tcs_status
+position_add(struct raw_object *raw, const struct tcs_point *point,
+	struct tcs_fault *fault)
+{
+	const double numbers[3] = {point->x, point->y, point->z};
+
+	if (array_grow(&raw->positions, 3 * (NUMBER_LENGTH + 1)))
+		return fault_memory(fault);
+	for (int i = 0; i < 3; i++) {
+		raw->positions.count += number_print(
+			raw->positions.at + raw->positions.count, numbers[i]);
+		raw->positions.at[raw->positions.count++] = ' ';
+	}
+	return TCS_OK;
+}
+
+/* A closed ring. */
+static enum tcs_status
+ring_add(struct raw_object *raw, const struct mesh_file *mesh,
+	const struct mesh_face *face, struct tcs_fault *fault)
+{
+	const uint32_t *corners = mesh->corners.at + face->first_corner;
+	struct raw_ring *ring;
+	enum tcs_status status = TCS_OK;
+
+	if (array_grow(&raw->rings, 1))
+		return fault_memory(fault);
+	ring = &raw->rings.at[raw->rings.count++];
+	*ring = (struct raw_ring){
+		.first = raw->positions.count,
+		.has_list = true,
+		.dimension = 3,
+	};
+	for (uint32_t i = 0; !status && i <= face->corner_count; i++)
+		status = position_add(raw,
+			&mesh->points.at[corners[i % face->corner_count]],
+			fault);
+	ring->length = raw->positions.count - ring->first;
+	return status;
+}
+
+static enum tcs_status
+face_add(struct gml_reader *reader, const struct mesh_file *mesh,
+	const struct mesh_face *face, struct tcs_fault *fault)
+{
+	struct raw_object *raw = reader->raw;
+
+	if (array_grow(&raw->polygons, 1) || array_grow(&raw->members, 1))
+		return fault_memory(fault);
+	raw->members.at[raw->members.count++] = (struct raw_member){
+		.polygon = (uint32_t)raw->polygons.count, .shell = TCS_NONE};
+	raw->polygons.at[raw->polygons.count++] = (struct raw_polygon){
+		.first_ring = (uint32_t)raw->rings.count,
+		.ring_count = 1,
+		.line = xml_line(reader->xml),
+		.geometry = (uint32_t)raw->geometries.count,
+		.shape = RAW_AREA,
+	};
+	return ring_add(raw, mesh, face, fault);
+}
+
+/* ---- materials --------------------------------------------------------------- */
+
+/* The faces of one material, as a target of that: its id cannot be one of the
+ * document's, which have no control characters. */
+static enum tcs_status
+material_add(struct gml_reader *reader, const struct mesh_file *mesh,
+	uint32_t material, uint32_t first_member, struct tcs_fault *fault)
+{
+	const struct mesh_material *from = &mesh->materials.at[material];
+	struct raw_object *raw = reader->raw;
+	struct raw_paint paint = {.image = TCS_NONE};
+	const char *name = mesh->names.at + from->name;
+	enum tcs_status status;
+	char id[32];
+
+	reader->material = material_plain();
+	memcpy(reader->material.diffuse, from->diffuse, sizeof from->diffuse);
+	reader->material.transparency = from->transparency;
+	snprintf(id, sizeof id, "\1%zu", raw->targets.count);
+	status = text_keep(&reader->source, name, strlen(name), fault);
+	if (!status)
+		status = material_intern(reader, &paint.material, fault);
+	if (!status)
+		status = gml_text(reader, id, strlen(id), &paint.target, fault);
+	if (status)
+		return status;
+	if (array_grow(&raw->paints, 1) || array_grow(&raw->targets, 1))
+		return fault_memory(fault);
+	raw->paints.at[raw->paints.count++] = paint;
+	raw->targets.at[raw->targets.count++] = (struct raw_target){
+		.id = paint.target,
+		.first_member = first_member,
+		.member_end = (uint32_t)raw->members.count,
+	};
+	return TCS_OK;
+}
+
+/* ---- the template ------------------------------------------------------------ */
+
+static enum tcs_status
+faces_add(struct gml_reader *reader, const struct mesh_file *mesh,
+	struct tcs_fault *fault)
+{
+	const struct mesh_face *face = mesh->faces.at;
+	const struct mesh_face *end = face + mesh->faces.count;
+	enum tcs_status status = TCS_OK;
+
+	while (!status && face < end) {
+		uint32_t first = (uint32_t)reader->raw->members.count;
+		uint32_t material = face->material;
+
+		for (; !status && face < end && face->material == material;
+			face++)
+			status = face_add(reader, mesh, face, fault);
+		if (!status && material != TCS_NONE)
+			status = material_add(
+				reader, mesh, material, first, fault);
+	}
+	return status;
+}
+
+static enum tcs_status
+geometry_add(struct gml_reader *reader, const struct mesh_file *mesh,
+	const struct raw_instance *instance, struct tcs_fault *fault)
+{
+	struct raw_object *raw = reader->raw;
+	struct raw_geometry geometry = {
+		.feature = instance->feature,
+		.first_member = (uint32_t)raw->members.count,
+		.line = instance->line,
+		.lod = instance->lod,
+		.kind = TCS_MULTI_SURFACE,
+		.is_template = true,
+	};
+	enum tcs_status status = faces_add(reader, mesh, fault);
+
+	if (status)
+		return status;
+	if (array_grow(&raw->geometries, 1))
+		return fault_memory(fault);
+	geometry.member_count =
+		(uint32_t)raw->members.count - geometry.first_member;
+	raw->geometries.at[raw->geometries.count++] = geometry;
+	return TCS_OK;
+}
+
+/* *problem is why there is no template, or NULL. */
+static enum tcs_status
+mesh_load(struct gml_reader *reader, const char *path, const char *key,
+	struct raw_instance *instance, const char **problem,
+	struct tcs_fault *fault)
+{
+	const struct mesh_source source = {
+		&reader->folder, path, reader->options.max_library};
+	uint32_t geometry = (uint32_t)reader->raw->geometries.count;
+	struct mesh_file mesh = {0};
+	enum tcs_status status = mesh_read(&mesh, &source, problem, fault);
+
+	if (!status && !*problem)
+		status = geometry_add(reader, &mesh, instance, fault);
+	if (!status && !*problem)
+		status = template_add(reader, key, geometry, instance, fault);
+	mesh_release(&mesh);
+	return status;
+}
+
+/* A file that cannot be used is tried once. */
+static enum tcs_status
+mesh_find(struct gml_reader *reader, const char *key,
+	struct raw_instance *instance, const char **problem,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status;
+	uint32_t number;
+	bool added;
+
+	instance->prototype = keys_find(&reader->templates, key);
+	if (instance->prototype != TCS_NONE)
+		return TCS_OK;
+	number = keys_find(&reader->meshes, key);
+	if (number != TCS_NONE) {
+		*problem = reader->mesh_problems.at[number];
+		return TCS_OK;
+	}
+	status = mesh_load(reader, key + 1, key, instance, problem, fault);
+	if (status || !*problem)
+		return status;
+	if (array_grow(&reader->mesh_problems, 1))
+		return fault_memory(fault);
+	reader->mesh_problems.at[reader->mesh_problems.count++] = *problem;
+	return keys_add(&reader->meshes, key, &number, &added, fault);
+}
+
+enum tcs_status
+mesh_take(struct gml_reader *reader, struct raw_instance *instance,
+	struct tcs_fault *fault)
+{
+	const char *problem = NULL, *at;
+	enum tcs_status status;
+	size_t length;
+	char *key;
+
+	gml_trimmed(reader, &at, &length);
+	if (!length || instance->prototype != TCS_NONE)
+		return TCS_OK;
+	key = malloc(length + 2);
+	if (!key)
+		return fault_memory(fault);
+	/* No id begins like this. */
+	key[0] = '\1';
+	memcpy(key + 1, at, length);
+	key[length + 1] = 0;
+	status = mesh_find(reader, key, instance, &problem, fault);
+	if (!status && problem)
+		status = gml_skipped(
+			reader, "library object", problem, key + 1, fault);
+	free(key);
+	return status;
+}

@@ -1,0 +1,100 @@
+/*
+ * A mesh from a file beside the document: glTF 2.0 (.gltf, .glb) or Wavefront
+ * OBJ, as far as its shape and plain colours go. Textures, animations, skins
+ * and compressed or sparse arrays are not read.
+ *
+ * source: glTF 2.0 (ISO/IEC 12113) 3 and 4; Wavefront's Advanced Visualizer
+ * manual, appendix B1.
+ */
+#ifndef TESSERA_MESH_FILE_H
+#define TESSERA_MESH_FILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "array.h"
+#include "folder.h"
+#include "tcs.h"
+
+struct mesh_face {
+	uint32_t first_corner, corner_count; /* at least three */
+	uint32_t material; /* TCS_NONE: none */
+};
+
+struct mesh_material {
+	float diffuse[3]; /* sRGB 0…1 */
+	float transparency; /* 0 opaque … 1 clear */
+	size_t name; /* in `names` */
+};
+
+/* Metres, z up. All zero is empty. */
+struct mesh_file {
+	TCS_ARRAY(struct tcs_point) points;
+	TCS_ARRAY(uint32_t) corners; /* points, in the order of the faces */
+	TCS_ARRAY(struct mesh_face)
+	faces; /* in the order of their materials,
+	                                      those without last */
+	TCS_ARRAY(struct mesh_material) materials;
+	TCS_ARRAY(char) names; /* NUL-terminated each */
+};
+
+void mesh_release(struct mesh_file *mesh);
+
+/* Where the file and those it names are, and how large each may be; points
+ * and corners may not take more either. */
+struct mesh_source {
+	struct folder *folder; /* NULL: only bytes at hand can be read */
+	const char *path; /* within the folder */
+	uint64_t limit; /* bytes */
+};
+
+/* NULL if files of that name are read, or static text that says what they are
+ * instead. */
+const char *mesh_kind_problem(const char *path);
+
+/*
+ * Fill the empty mesh. *problem is NULL, or static text that says why the file
+ * cannot be had or used. Fails with TCS_NO_MEMORY and TCS_SYSTEM only.
+ */
+enum tcs_status mesh_read(struct mesh_file *mesh,
+	const struct mesh_source *source, const char **problem,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* ---- of the readers ---------------------------------------------------------- */
+
+/* The bytes of one file; `at` is owned, a NUL stands behind. */
+struct mesh_bytes {
+	unsigned char *at;
+	size_t count;
+};
+
+/* Read a file that the mesh's file names, relative to itself. */
+enum tcs_status mesh_bytes_read(struct mesh_bytes *bytes,
+	const struct mesh_source *source, const char *name,
+	const char **problem, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Append a point, or a face of the last `count` corners that were added;
+ * *problem is set when that passes the limit. */
+enum tcs_status mesh_add_point(struct mesh_file *mesh,
+	const struct mesh_source *source, const struct tcs_point *point,
+	const char **problem, struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status mesh_add_corner(struct mesh_file *mesh,
+	const struct mesh_source *source, uint32_t point, const char **problem,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status mesh_add_face(struct mesh_file *mesh, uint32_t count,
+	uint32_t material, struct tcs_fault *fault) TCS_CHECKED;
+
+/* A grey material of that name, to be filled. */
+enum tcs_status mesh_add_material(struct mesh_file *mesh, const char *name,
+	size_t length, struct mesh_material **out,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+enum tcs_status mesh_parse_gltf(struct mesh_file *mesh,
+	const struct mesh_source *source, const struct mesh_bytes *bytes,
+	const char **problem, struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status mesh_parse_obj(struct mesh_file *mesh,
+	const struct mesh_source *source, const struct mesh_bytes *bytes,
+	const char **problem, struct tcs_fault *fault) TCS_CHECKED;
+
+#endif
