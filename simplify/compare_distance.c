@@ -7,11 +7,12 @@
 #include "vector.h"
 
 #define ROUNDING 1e-9 /* metres */
+#define THINNEST 1e-6 /* metres */
 
 enum {
 	PIECE = 1024, /* triangles, or points, per piece of work */
 	CUTS = 40 * PIECE, /* of all triangles of a piece of work */
-	STACK = 128, /* pieces of one triangle that wait */
+	PARTS = PIECE + 2 * CUTS, /* and what they are cut into */
 	MOST_SAMPLES = 2000000,
 };
 
@@ -25,6 +26,14 @@ struct near_hit {
 struct found {
 	double max, at_most;
 	double area, sum, squares;
+	bool failed; /* for want of memory */
+};
+
+/* A part of a triangle. */
+struct part {
+	struct triangle_shape shape;
+	uint32_t triangle; /* nearest to its middle */
+	double bound; /* no point of it is farther away */
 };
 
 struct measure {
@@ -106,16 +115,19 @@ struct sides {
 
 static struct sides
 sides_of(const struct triangle_shape *shape, const struct triangle_shape *other,
-	int edge)
+	int number)
 {
-	struct tcs_point a = other->corner[edge];
-	struct tcs_point inwards = vector_cross(triangle_normal(other),
-		vector_difference(other->corner[(edge + 1) % 3], a));
+	struct tcs_point a = other->corner[number];
+	struct tcs_point edge =
+		vector_difference(other->corner[(number + 1) % 3], a);
+	struct tcs_point normal = triangle_normal(other);
+	struct tcs_point inwards = vector_cross(normal, edge);
 	double length = vector_length(inwards);
 	double low = 0, high = 0;
 	struct sides sides = {.least = 0};
 
-	if (!(length > 0))
+	/* Of a sliver nobody knows where its inner side is. */
+	if (!(vector_length(normal) > THINNEST * vector_length(edge)))
 		return sides;
 	for (int i = 0; i < 3; i++) {
 		sides.at[i] = vector_dot(inwards,
@@ -216,40 +228,76 @@ bound_by_corners(const struct measure *measure, size_t triangle,
 	return bound;
 }
 
-/* Returns a bound over the triangle. */
-static double
-bound_triangle(const struct measure *measure, size_t triangle,
-	const struct triangle_shape *whole, struct found *found, size_t *cuts)
+/* Parts that are not bounded well enough yet: a heap, the worst first. */
+struct parts {
+	struct part *at;
+	size_t count;
+};
+
+static void
+parts_push(struct parts *parts, const struct part *part)
 {
-	struct triangle_shape stack[STACK];
-	double most = bound_by_corners(measure, triangle, whole), bound;
-	uint32_t last = measure->hits[measure->from->set.triangles.at[triangle]
-					       .corner[0]]
-				.triangle;
-	size_t height = 1;
+	size_t at = parts->count++;
 
-	if (most <= found->max + measure->tolerance)
-		return most;
-	most = 0;
-	stack[0] = *whole;
-	while (height > 0) {
-		struct triangle_shape part = stack[--height];
-		struct near_hit hit =
-			find_near(measure, centre_of(&part), last);
+	for (; at > 0 && parts->at[(at - 1) / 2].bound < part->bound;
+		at = (at - 1) / 2)
+		parts->at[at] = parts->at[(at - 1) / 2];
+	parts->at[at] = *part;
+}
 
-		last = hit.triangle;
-		found->max = fmax(found->max, hit.distance);
-		bound = farthest_from(measure, &part, hit.triangle);
-		if (bound <= found->max + measure->tolerance || !*cuts ||
-			height + 3 > STACK) {
-			most = fmax(most, bound);
-			continue;
-		}
-		--*cuts;
-		height +=
-			cut_part(measure, &part, hit.triangle, stack + height);
+static struct part
+parts_pop(struct parts *parts)
+{
+	struct part worst = parts->at[0], last = parts->at[--parts->count];
+	size_t at = 0, child;
+
+	while ((child = 2 * at + 1) < parts->count) {
+		if (child + 1 < parts->count &&
+			parts->at[child + 1].bound > parts->at[child].bound)
+			child++;
+		if (parts->at[child].bound <= last.bound)
+			break;
+		parts->at[at] = parts->at[child];
+		at = child;
 	}
-	return most;
+	parts->at[at] = last;
+	return worst;
+}
+
+static struct part
+bound_part(const struct measure *measure, const struct triangle_shape *shape,
+	uint32_t last, struct found *found)
+{
+	struct near_hit hit = find_near(measure, centre_of(shape), last);
+
+	found->max = fmax(found->max, hit.distance);
+	return (struct part){*shape, hit.triangle,
+		farthest_from(measure, shape, hit.triangle)};
+}
+
+/* Cut the worst part until it is good enough, or there were cuts enough. */
+static void
+lower_bound(
+	const struct measure *measure, struct parts *parts, struct found *found)
+{
+	for (size_t cuts = 0; parts->count > 0; cuts++) {
+		struct triangle_shape shapes[3];
+		struct part part;
+		size_t count;
+
+		found->at_most = parts->at[0].bound;
+		if (found->at_most <= found->max + measure->tolerance ||
+			cuts == CUTS)
+			break;
+		part = parts_pop(parts);
+		count = cut_part(measure, &part.shape, part.triangle, shapes);
+		for (size_t i = 0; i < count; i++) {
+			struct part smaller = bound_part(
+				measure, &shapes[i], part.triangle, found);
+
+			parts_push(parts, &smaller);
+		}
+	}
 }
 
 /* ---- the mean ------------------------------------------------------------ */
@@ -297,21 +345,24 @@ measure_triangles(void *context, size_t piece, size_t first, size_t end)
 	struct measure *measure = context;
 	const struct component_set *set = &measure->from->set;
 	struct found found = {.max = measure->corner_max};
-	size_t cuts = CUTS;
+	struct parts parts = {calloc(PARTS, sizeof *parts.at), 0};
 
-	for (size_t i = first; i < end; i++) {
+	found.failed = !parts.at;
+	for (size_t i = first; parts.at && i < end; i++) {
 		struct triangle_shape shape = component_set_shape(set, i);
-		double bound =
-			bound_triangle(measure, i, &shape, &found, &cuts);
+		uint32_t corner = set->triangles.at[i].corner[0];
+		struct part part = bound_part(measure, &shape,
+			measure->hits[corner].triangle, &found);
 
+		part.bound =
+			fmin(part.bound, bound_by_corners(measure, i, &shape));
+		parts_push(&parts, &part);
 		found.area += triangle_area(&shape);
-		found.at_most = fmax(found.at_most, bound);
-		if (bound > ROUNDING)
-			sample_triangle(measure, &shape,
-				measure->hits[set->triangles.at[i].corner[0]]
-					.triangle,
-				&found);
+		if (part.bound > ROUNDING)
+			sample_triangle(measure, &shape, part.triangle, &found);
 	}
+	lower_bound(measure, &parts, &found);
+	free(parts.at);
 	measure->found[piece] = found;
 }
 
@@ -365,6 +416,9 @@ measure_all(struct measure *measure, struct surface_distance *out,
 	if (!status)
 		status = split_work(triangles, PIECE, jobs, measure_triangles,
 			measure, fault);
+	for (size_t i = 0; i < split_pieces(triangles, PIECE); i++)
+		if (!status && measure->found[i].failed)
+			status = fault_memory(fault);
 	if (!status)
 		*out = sum_up(measure, split_pieces(triangles, PIECE));
 	return status;

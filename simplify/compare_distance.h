@@ -19,8 +19,8 @@ struct surface_distance {
 /*
  * The bound uses that the distance to one triangle is convex: over a piece it
  * is largest at a corner. Pieces are cut along the edges of the triangle
- * nearest to their middle, or in half, until both are within `tolerance`; no
- * more than 40 times a triangle, on the average of a thousand.
+ * nearest to their middle, or in half, the worst first, until both are
+ * within `tolerance`, but no more than 40,000 times for a thousand triangles.
  * INFINITY where one side is empty. Uses from->set.jobs threads, with the same
  * result for any number. Fails with TCS_NO_MEMORY, TCS_SYSTEM.
  */
