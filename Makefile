@@ -71,7 +71,7 @@ archives := $(strip $(foreach folder,parsers simplify writers lib,\
 
 .PHONY: all demo test unit seeds cases suites cases-accept lint format bench \
 	fuzz install uninstall clean help demo-here test-here \
-	lint-build FORCE
+	lint-build bench-peers FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -122,7 +122,10 @@ built_from = $(patsubst %.c,$(build)/%,$(wildcard $(1)))
 unit_tests := $(call built_from,tests/unit/*_test.c)
 benches := $(call built_from,tests/bench/*_bench.c) \
 	$(call built_from,tests/bench/*_bare.c) \
-	$(patsubst %.cpp,$(build)/%,$(wildcard tests/bench/*.cpp))
+	$(patsubst %.cpp,$(build)/%,$(filter-out tests/bench/peer_%.cpp,\
+		$(wildcard tests/bench/*.cpp)))
+peer_parts := $(call objects_of,$(wildcard tests/bench/peer_*.c) \
+	$(wildcard tests/bench/peer_*.cpp))
 tools := $(call built_from,tests/tools/*.c)
 generators := $(call built_from,samples/make*.c)
 generator_parts := $(addprefix $(build)/,$(patsubst %.c,%.o,$(filter-out \
@@ -134,6 +137,11 @@ link_test = $(call show,LD)$(CXX) $(all_ldflags) -o $@ $(filter %.o %.a,$^) $(li
 
 $(unit_tests) $(benches) $(tools): $(build)/%: $(build)/%.o $(archives) $(build)/flags
 	$(link_test)
+
+# What simplifiers are measured beside; the libraries are for this alone.
+$(build)/tests/bench/lod_peer: $(peer_parts) $(archives) $(build)/flags
+	$(call show,LD)$(CXX) $(all_ldflags) -o $@ $(filter %.o %.a,$^) $(libs) \
+		-lmeshoptimizer -lOpenMeshTools -lOpenMeshCore -lgmp
 
 # Each generator takes of the parts what it needs.
 $(build)/samples.a: $(generator_parts)
@@ -197,8 +205,12 @@ suites: all $(tools) $(generators) $(node_modules)
 cases-accept: all $(generators)
 	@BUILD='$(abspath $(build))' tests/run-cases.sh --accept $(CASES)
 
-bench: all $(benches) $(generators)
+bench: all $(benches) $(generators) $(if $(filter lod,$(BENCH)),bench-peers)
 	@BUILD='$(abspath $(build))' tests/bench/run.sh $(BENCH)
+
+bench-peers:
+	@tests/packages.sh bench
+	@$(in_parallel) $(build)/tests/bench/lod_peer
 
 ifeq ($(config),fuzz)
 SECONDS ?= 60
