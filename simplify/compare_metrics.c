@@ -10,6 +10,7 @@ enum metric_sum {
 	METRIC_BEFORE_SQUARE,
 	METRIC_AFTER,
 	METRIC_AFTER_SQUARE,
+	METRIC_PIXELS,
 };
 
 struct metric_row {
@@ -43,6 +44,7 @@ metrics_add(struct compare_metrics *sum, const struct compare_metrics *object)
 {
 	double before = sum->at[COMPARE_AREA_BEFORE];
 	double after = sum->at[COMPARE_AREA_AFTER];
+	double pixels = sum->at[COMPARE_PIXELS];
 
 	for (int i = 0; i < COMPARE_METRIC_COUNT; i++) {
 		double value = object->at[i];
@@ -58,6 +60,9 @@ metrics_add(struct compare_metrics *sum, const struct compare_metrics *object)
 			sum->at[i] = mean_with(sum->at[i], before, value,
 				object->at[COMPARE_AREA_BEFORE],
 				how == METRIC_BEFORE_SQUARE);
+		else if (how == METRIC_PIXELS)
+			sum->at[i] = mean_with(sum->at[i], pixels, value,
+				object->at[COMPARE_PIXELS], false);
 		else
 			sum->at[i] = mean_with(sum->at[i], after, value,
 				object->at[COMPARE_AREA_AFTER],
@@ -128,6 +133,29 @@ print_health(const struct compare_metrics *m, FILE *to)
 			m->at[COMPARE_FLIPPED]);
 }
 
+static void
+print_views(const struct compare_metrics *m, FILE *to)
+{
+	const double *at = m->at;
+
+	if (!(at[COMPARE_PIXELS] > 0))
+		return;
+	fprintf(to,
+		"  looks       %.2f %% similar, %.2f %% hit, %.2f %% of the same"
+		" surface\n",
+		at[COMPARE_SIMILARITY], at[COMPARE_HIT],
+		at[COMPARE_SAME_SURFACE]);
+	fprintf(to,
+		"  seen        %.0f components, %.0f hidden; %.0f surfaces, %.0f"
+		" hidden, %.0f uncovered\n",
+		at[COMPARE_COMPONENTS_SEEN], at[COMPARE_COMPONENTS_HIDDEN],
+		at[COMPARE_SURFACES_SEEN], at[COMPARE_SURFACES_HIDDEN],
+		at[COMPARE_SURFACES_UNCOVERED]);
+	fprintf(to, "  behind      %.0f boxes seen -> %.0f, %.0f opened\n",
+		at[COMPARE_BOXES_BEFORE], at[COMPARE_BOXES_AFTER],
+		at[COMPARE_BOXES_OPENED]);
+}
+
 void
 metrics_print(const struct compare_metrics *m, FILE *to)
 {
@@ -160,4 +188,5 @@ metrics_print(const struct compare_metrics *m, FILE *to)
 	fprintf(to, "  volume      %.3f -> %.3f m3\n",
 		at[COMPARE_VOLUME_BEFORE], at[COMPARE_VOLUME_AFTER]);
 	print_health(m, to);
+	print_views(m, to);
 }

@@ -12,7 +12,8 @@
 /*
  * X(NAME, name in the report, decimals, how objects add up). Distances are
  * METRES with six decimals, the rest counts, square and cubic metres. BEFORE
- * and AFTER: a mean weighted by that side's area; _SQUARE: of the squares.
+ * and AFTER: a mean weighted by that side's area; _SQUARE: of the squares. PIXELS:
+ * one weighted by the number of pixels.
  */
 #define COMPARE_METRICS(X) \
 	X(TRIANGLES_BEFORE, "triangles_before", 0, SUM) \
@@ -56,6 +57,18 @@
 	X(DUPLICATE_BEFORE, "duplicate_triangles_before", 0, SUM) \
 	X(DUPLICATE_AFTER, "duplicate_triangles_after", 0, SUM) \
 	X(FLIPPED, "flipped_triangles", 0, SUM) \
+	X(PIXELS, "pixels", 0, SUM) \
+	X(HIT, "pixels_hit_share", 3, PIXELS) \
+	X(SAME_SURFACE, "pixels_surface_share", 3, PIXELS) \
+	X(SIMILARITY, "similarity", 3, PIXELS) \
+	X(COMPONENTS_SEEN, "components_seen", 0, SUM) \
+	X(COMPONENTS_HIDDEN, "components_hidden", 0, SUM) \
+	X(SURFACES_SEEN, "surfaces_seen", 0, SUM) \
+	X(SURFACES_HIDDEN, "surfaces_hidden", 0, SUM) \
+	X(SURFACES_UNCOVERED, "surfaces_uncovered", 0, SUM) \
+	X(BOXES_BEFORE, "boxes_seen_before", 0, SUM) \
+	X(BOXES_AFTER, "boxes_seen_after", 0, SUM) \
+	X(BOXES_OPENED, "boxes_opened", 0, SUM) \
 	X(DIAGONAL, "diagonal", 6, MAX) \
 	X(EPS, "eps", 6, MAX)
 

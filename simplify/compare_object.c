@@ -238,7 +238,12 @@ compare_objects(struct comparer *comparer,
 	result->metrics.at[COMPARE_DIAGONAL] =
 		box_diagonal(&comparer->before.set.bounds);
 	result->metrics.at[COMPARE_EPS] = eps;
-	return compare_sides(comparer, eps, result, fault);
+	status = compare_sides(comparer, eps, result, fault);
+	if (!status && settings->pixels > 0)
+		status = compare_views(&comparer->before, &comparer->after,
+			&comparer->match, settings->pixels, &comparer->pictures,
+			&result->metrics, fault);
+	return status;
 }
 
 void
@@ -247,6 +252,7 @@ comparer_release(struct comparer *comparer)
 	side_release(&comparer->before);
 	side_release(&comparer->after);
 	match_release(&comparer->match);
+	pictures_release(&comparer->pictures);
 }
 
 void

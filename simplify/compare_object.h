@@ -5,11 +5,13 @@
 #define TESSERA_COMPARE_OBJECT_H
 
 #include "compare_contacts.h"
+#include "compare_views.h"
 
 struct compare_settings {
 	struct tcs_crs crs[2];
 	int lods[2]; /* see lod_select.h */
 	double eps; /* metres; 0: contact_reach */
+	unsigned pixels; /* width and height of a picture; 0: none */
 	unsigned jobs; /* threads to use for one large object; 0 is 1 */
 };
 
@@ -17,6 +19,7 @@ struct compare_settings {
 struct comparer {
 	struct compare_side before, after;
 	struct compare_match match;
+	struct compare_pictures pictures;
 };
 
 /* What was found; all zero is empty, reused. */

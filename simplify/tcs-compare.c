@@ -233,7 +233,8 @@ int
 main(int argc, char **argv)
 {
 	struct options options = {
-		.settings = {.lods = {SELECT_HIGHEST, SELECT_HIGHEST}},
+		.settings = {.lods = {SELECT_HIGHEST, SELECT_HIGHEST},
+			.pixels = 192},
 		.max_record = TCS_MAX_RECORD,
 	};
 	const struct option_row rows[] = {
@@ -250,6 +251,10 @@ main(int argc, char **argv)
 			&options.settings.lods[0], 0, 0, parse_lod},
 		{OPTION_PARSE, 0, "lod-b", "N", "Level of detail of B.",
 			&options.settings.lods[1], 0, 0, parse_lod},
+		{OPTION_UNSIGNED, 0, "pixels", "N",
+			"Width and height of the pictures in which to see what "
+			"is visible (default: 192; 0: none).",
+			&options.settings.pixels, 0, 4096, NULL},
 		{OPTION_BYTES, 0, "max-record", "BYTES",
 			"Refuse records of more bytes (default: 8G).",
 			&options.max_record, 0, 0, NULL},

@@ -1,0 +1,163 @@
+#include "simplify/raster.h"
+
+#include <math.h>
+
+#include "check.h"
+#include "simplify/vector.h"
+
+static void
+set_add(struct component_set *set, struct tcs_point a, struct tcs_point b,
+	struct tcs_point c, uint32_t feature)
+{
+	const struct tcs_point corners[3] = {a, b, c};
+	struct tcs_fault fault;
+
+	CHECK(!component_set_add(set, corners, feature, &fault));
+}
+
+/* A square across the x axis, of half the side `half`, of two triangles. */
+static void
+set_square(struct component_set *set, double x, double half, uint32_t feature)
+{
+	const struct tcs_point at[4] = {{x, -half, -half}, {x, half, -half},
+		{x, half, half}, {x, -half, half}};
+
+	set_add(set, at[0], at[1], at[2], feature);
+	set_add(set, at[0], at[2], at[3], feature);
+}
+
+/* Seen from x = 10, a sphere of radius 1 around 0 fits. */
+static struct view
+view_along_x(void)
+{
+	return view_of(
+		(struct tcs_point){10, 0, 0}, (struct tcs_point){0, 0, 0}, 1);
+}
+
+static size_t
+count_pixels(const struct raster *raster, const struct component_set *set,
+	uint32_t feature)
+{
+	size_t count = 0;
+
+	for (size_t i = 0; i < (size_t)raster->size * raster->size; i++)
+		count += raster->triangles[i] != RASTER_NOTHING &&
+			set->features.at[raster->triangles[i]] == feature;
+	return count;
+}
+
+static void
+draw(struct raster *raster, struct component_set *set)
+{
+	struct view view = view_along_x();
+	struct tcs_fault fault;
+
+	CHECK(!component_set_build(set, &fault));
+	CHECK(!raster_draw(raster, 100, &view, set, &fault));
+}
+
+static void
+a_square_has_the_pixels_of_its_perspective(void)
+{
+	struct component_set set = {0};
+	struct raster raster = {0};
+
+	/* Half the picture is sqrt(99) / 10 of a radius at distance 10. */
+	set_square(&set, 0, 0.5, 7);
+	draw(&raster, &set);
+	CHECK(count_pixels(&raster, &set, 7) == 50 * 50);
+	CHECK(raster.triangles[0] == RASTER_NOTHING);
+	CHECK(fabs(raster.nearness[50 * 100 + 50] - 0.1) < 1e-6);
+	raster_release(&raster);
+	component_set_release(&set);
+}
+
+static void
+what_is_nearer_hides_what_is_behind(void)
+{
+	struct component_set set = {0};
+	struct raster raster = {0};
+
+	set_square(&set, 1, 0.45, 1);
+	set_square(&set, 0, 0.5, 2);
+	draw(&raster, &set);
+	CHECK(count_pixels(&raster, &set, 1) == 50 * 50);
+	CHECK(count_pixels(&raster, &set, 2) == 0);
+	raster_release(&raster);
+	component_set_release(&set);
+}
+
+static void
+what_is_behind_the_eye_or_partly_so_is_not_drawn(void)
+{
+	struct component_set set = {0};
+	struct raster raster = {0};
+
+	set_square(&set, 12, 5, 1);
+	set_add(&set, (struct tcs_point){11, 0, 0}, (struct tcs_point){0, 1, 0},
+		(struct tcs_point){0, 0, 1}, 2);
+	draw(&raster, &set);
+	CHECK(count_pixels(&raster, &set, 1) == 0);
+	CHECK(count_pixels(&raster, &set, 2) == 0);
+	raster_release(&raster);
+	component_set_release(&set);
+}
+
+static void
+a_triangle_wider_than_the_picture_fills_it(void)
+{
+	struct component_set set = {0};
+	struct raster raster = {0};
+
+	set_add(&set, (struct tcs_point){0, -1e7, -1e7},
+		(struct tcs_point){0, 1e7, -1e7}, (struct tcs_point){0, 0, 1e7},
+		3);
+	draw(&raster, &set);
+	CHECK(count_pixels(&raster, &set, 3) == 100 * 100);
+	raster_release(&raster);
+	component_set_release(&set);
+}
+
+static void
+the_ray_of_a_pixel_meets_what_it_shows(void)
+{
+	struct component_set set = {0};
+	struct raster raster = {0};
+	struct view view = view_along_x();
+	size_t seen = 0;
+
+	set_square(&set, 0.3, 0.4, 1);
+	set_square(&set, -0.3, 0.7, 2);
+	draw(&raster, &set);
+	for (unsigned i = 0; i < 100 * 100; i++) {
+		struct tcs_point way = view_ray(&view, 100, i % 100, i / 100);
+		double t, margin;
+
+		if (raster.triangles[i] == RASTER_NOTHING)
+			continue;
+		struct triangle_shape shape =
+			component_set_shape(&set, raster.triangles[i]);
+		CHECK(triangle_hit(&shape, view.eye, way, &t, &margin) ||
+			margin > -1e-9);
+		CHECK(fabs(t * raster.nearness[i] - 1) < 1e-6);
+		seen++;
+	}
+	CHECK(seen > 1000);
+	raster_release(&raster);
+	component_set_release(&set);
+}
+
+static const struct check_test tests[] = {
+	CHECK_TEST(a_square_has_the_pixels_of_its_perspective),
+	CHECK_TEST(what_is_nearer_hides_what_is_behind),
+	CHECK_TEST(what_is_behind_the_eye_or_partly_so_is_not_drawn),
+	CHECK_TEST(a_triangle_wider_than_the_picture_fills_it),
+	CHECK_TEST(the_ray_of_a_pixel_meets_what_it_shows),
+	{0},
+};
+
+int
+main(void)
+{
+	return check_run(tests);
+}
