@@ -33,15 +33,29 @@ report_release(struct report *report)
 	array_release(&report->counts);
 }
 
+/* Nearly always the very same text, which is looked for first. */
+static struct report_count *
+count_find(struct report *report, const char *name)
+{
+	for (size_t i = 0; i < report->counts.count; i++)
+		if (report->counts.at[i].name == name)
+			return &report->counts.at[i];
+	for (size_t i = 0; i < report->counts.count; i++)
+		if (!strcmp(report->counts.at[i].name, name))
+			return &report->counts.at[i];
+	return NULL;
+}
+
 enum tcs_status
 report_add(struct report *report, const char *name, uint64_t count,
 	struct tcs_fault *fault)
 {
-	for (size_t i = 0; i < report->counts.count; i++)
-		if (same(report->counts.at[i].name, name)) {
-			report->counts.at[i].count += count;
-			return TCS_OK;
-		}
+	struct report_count *row = count_find(report, name);
+
+	if (row) {
+		row->count += count;
+		return TCS_OK;
+	}
 	if (array_grow(&report->counts, 1))
 		return fault_memory(fault);
 	report->counts.at[report->counts.count++] =
