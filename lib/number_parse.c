@@ -39,14 +39,55 @@ is_digit(char c)
 	return (unsigned char)(c - '0') <= 9;
 }
 
-static const char *
+/* The integer of eight digits, the first one lowest in the word. */
+static uint64_t
+eight_digits(uint64_t word)
+{
+	const uint64_t mask = 0x000000ff000000ffu;
+
+	word = word * 10 + (word >> 8); /* pairs, in every other byte */
+	return (uint32_t)(((word & mask) * (100 + ((uint64_t)1000000 << 32)) +
+				  ((word >> 16) & mask) *
+					  (1 + ((uint64_t)10000 << 32))) >>
+		32);
+}
+
+/* The digits that the next eight bytes begin with: how many. */
+static inline unsigned
+digits_of_word(const char *at, uint64_t *digits)
+{
+	static const uint32_t tens[] = {
+		1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+	uint64_t word, other;
+	unsigned count = 8;
+
+	memcpy(&word, at, sizeof word);
+	word ^= 0x3030303030303030u;
+	/* The lowest bit set is in the first byte above 9. */
+	other = ((word + 0x7676767676767676u) | word) & 0x8080808080808080u;
+	if (other)
+		count = (unsigned)__builtin_ctzll(other) / 8;
+	if (!count)
+		return 0;
+	word <<= 64 - 8 * count;
+	*digits = *digits * tens[count] + eight_digits(word);
+	return count;
+}
+
+static inline const char *
 digits_read(const char *at, const char *end, uint64_t *digits)
 {
-	uint64_t value = *digits;
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+	while (end - at >= 8) {
+		unsigned count = digits_of_word(at, digits);
 
+		at += count;
+		if (count < 8)
+			return at;
+	}
+#endif
 	for (; at < end && is_digit(*at); at++)
-		value = value * 10 + (uint64_t)(*at - '0');
-	*digits = value;
+		*digits = *digits * 10 + (uint64_t)(*at - '0');
 	return at;
 }
 
