@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "citygml_numbers.h"
 #include "citygml_reader.h"
 #include "number.h"
 
@@ -81,8 +82,8 @@ static void
 read_numbers(struct gml_reader *reader, float *out, int want)
 {
 	double values[3];
-	int count =
-		gml_numbers(reader->text.at, reader->text.count, values, want);
+	int count = numbers_first(
+		reader->text.at, reader->text.count, values, want);
 
 	for (int i = 0; i < count; i++)
 		if (values[i] >= 0 && values[i] <= 1)

@@ -80,12 +80,6 @@ enum tcs_status rings_read(struct builder *builder,
 	const char **problem, struct report *report,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/*
- * The numbers of a text, at most `want`: how many, -1 when something else
- * stands there too or more follow.
- */
-int numbers_of(const char *at, size_t length, double *out, size_t want);
-
 /* ---- citygml_paint_links.c ---------------------------------------------- */
 
 /*

@@ -16,6 +16,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "citygml_numbers.h"
 #include "citygml_reader.h"
 #include "image_kind.h"
 
@@ -57,13 +58,13 @@ georeference_end(struct gml_reader *reader, const struct frame *frame)
 	switch (frame->name->kind) {
 	case NAME_TEXTURE_ORIENTATION:
 		georeference->has_orientation =
-			gml_numbers(at, length, georeference->orientation, 4) ==
-			4;
+			numbers_first(
+				at, length, georeference->orientation, 4) == 4;
 		return;
 	case NAME_POS:
 	case NAME_COORDINATES:
 		georeference->has_anchor =
-			gml_numbers(at, length, georeference->anchor, 2) == 2;
+			numbers_first(at, length, georeference->anchor, 2) == 2;
 		system = gml_system(reader, reader->geometry_srs);
 		georeference->north_first = system != TCS_NONE &&
 			gml_north_first(reader, system, at, length);
@@ -124,7 +125,7 @@ world_read(struct gml_reader *reader, const char *uri, struct world *world,
 		return status;
 	length = image_read(&bytes, 0, text, sizeof text);
 	close(bytes.file);
-	*found = gml_numbers(text, length, lines, 6) == 6;
+	*found = numbers_first(text, length, lines, 6) == 6;
 	*world = (struct world){
 		{lines[0], lines[2], lines[4], lines[1], lines[3], lines[5]}};
 	return TCS_OK;

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "citygml_numbers.h"
+
 static enum tcs_status
 head_append(struct tcs_head *head, const char *text, tcs_text *out,
 	struct tcs_fault *fault)
@@ -35,7 +37,7 @@ first_position(const struct raw_object *raw, double out[3])
 
 	out[2] = 0;
 	if (ring)
-		count = gml_numbers(
+		count = numbers_first(
 			raw->positions.at + ring->first, ring->length, out, 3);
 	else if (raw && raw->instances.count &&
 		raw->instances.at[0].has_anchor) {

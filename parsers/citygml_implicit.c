@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "citygml_numbers.h"
 #include "citygml_reader.h"
 
 static struct raw_instance *
@@ -153,7 +154,7 @@ anchor_end(struct gml_reader *reader)
 {
 	struct raw_instance *instance = instance_last(reader);
 	uint32_t system = gml_system(reader, reader->geometry_srs);
-	int count = gml_numbers(
+	int count = numbers_first(
 		reader->text.at, reader->text.count, instance->anchor, 3);
 
 	instance->has_anchor = count >= 2;
@@ -174,7 +175,7 @@ implicit_end(
 	switch (frame->name->kind) {
 	case NAME_IMPLICIT_MATRIX:
 		instance->has_matrix =
-			gml_numbers(reader->text.at, reader->text.count,
+			numbers_first(reader->text.at, reader->text.count,
 				instance->matrix, 16) == 16;
 		return TCS_OK;
 	case NAME_IMPLICIT_OBJECT:

@@ -9,6 +9,7 @@
  */
 #include <string.h>
 
+#include "citygml_numbers.h"
 #include "citygml_reader.h"
 
 struct raw_paint *
@@ -140,8 +141,8 @@ texmatrix_end(struct gml_reader *reader, struct tcs_fault *fault)
 		return fault_memory(fault);
 	matrix = &raw->texmatrices.at[raw->texmatrices.count];
 	matrix->east_first = false;
-	if (gml_numbers(reader->text.at, reader->text.count, matrix->at, 12) !=
-		12)
+	if (numbers_first(
+		    reader->text.at, reader->text.count, matrix->at, 12) != 12)
 		return TCS_OK;
 	paint->mapping = MAPPING_MATRIX;
 	paint->matrix = (uint32_t)raw->texmatrices.count++;

@@ -331,7 +331,7 @@ name_new(const struct names *names, const char *local, const char *prefix,
 }
 
 /* Interned pointers differ in their middle bits; mix them down. */
-static size_t
+static inline size_t
 slot_of(const char *local, const char *prefix, const char *uri, size_t room)
 {
 	uint64_t mixed = (uint64_t)(uintptr_t)local * 0x9e3779b97f4a7c15u;
@@ -341,7 +341,7 @@ slot_of(const char *local, const char *prefix, const char *uri, size_t room)
 	return (size_t)(mixed >> 32) & (room - 1);
 }
 
-static bool
+static inline bool
 name_is(const struct name *name, const char *local, const char *prefix,
 	const char *uri)
 {
@@ -349,7 +349,7 @@ name_is(const struct name *name, const char *local, const char *prefix,
 		(name->prefix == prefix || (!prefix && !*name->prefix));
 }
 
-static struct name **
+static inline struct name **
 slot_find(struct name **slots, size_t room, const char *local,
 	const char *prefix, const char *uri)
 {

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "citygml_build.h"
+#include "citygml_numbers.h"
 
 /* ---- which polygon has which paint -------------------------------------------- */
 
@@ -86,15 +87,17 @@ texring_read(struct builder *builder, const struct raw_object *raw,
 	struct tcs_texcoord *out)
 {
 	size_t want = 2 * (vertices + 1);
-	int count;
+	struct tcs_fault fault;
+	size_t count;
+	bool bad;
 
 	if (!ring)
 		return "a ring has no texture coordinates";
-	if (array_grow(&builder->texcoords, want))
+	if (numbers_read(&builder->texcoords, raw->positions.at + ring->first,
+		    ring->length, &bad, &fault))
 		return "out of memory";
-	count = numbers_of(raw->positions.at + ring->first, ring->length,
-		builder->texcoords.at, want);
-	if (count < 0 || ((size_t)count != want && (size_t)count != want - 2))
+	count = builder->texcoords.count;
+	if (bad || (count != want && count != want - 2))
 		return "its texture coordinates do not fit its rings";
 	for (size_t i = 0; i < vertices; i++)
 		out[i] = (struct tcs_texcoord){builder->texcoords.at[2 * i],

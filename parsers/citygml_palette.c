@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "citygml_numbers.h"
 #include "citygml_reader.h"
 
 enum tcs_status
@@ -101,7 +102,7 @@ image_add(struct gml_reader *reader, struct tcs_fault *fault)
 		.wrap = wrap_of(texture->wrap.at, texture->wrap.count),
 	};
 	double border[4];
-	int count = gml_numbers(
+	int count = numbers_first(
 		texture->border.at, texture->border.count, border, 4);
 	enum tcs_status status;
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "number.h"
+#include "citygml_numbers.h"
 
 /* ---- the stack --------------------------------------------------------- */
 
@@ -51,12 +51,6 @@ gml_skip(struct gml_reader *reader)
 
 /* ---- what the other files share ----------------------------------------- */
 
-static bool
-is_blank(char c)
-{
-	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
 void
 gml_trimmed(const struct gml_reader *reader, const char **at, size_t *length)
 {
@@ -93,26 +87,6 @@ gml_name_text(struct gml_reader *reader, struct name *name, tcs_text *out,
 	}
 	*out = name->text;
 	return TCS_OK;
-}
-
-const struct xml_attribute *
-attribute_find(
-	const struct xml_attribute *attributes, size_t count, const char *local)
-{
-	for (size_t i = 0; i < count; i++)
-		if (!strcmp(attributes[i].local, local))
-			return &attributes[i];
-	return NULL;
-}
-
-const struct xml_attribute *
-attribute_find_id(const struct xml_attribute *attributes, size_t count)
-{
-	for (size_t i = 0; i < count; i++)
-		if (!strcmp(attributes[i].local, "id") ||
-			!strcmp(attributes[i].local, "gml_id"))
-			return &attributes[i];
-	return NULL;
 }
 
 enum tcs_status
@@ -157,26 +131,6 @@ gml_srs(struct gml_reader *reader, const char *name, size_t length,
 	return TCS_OK;
 }
 
-int
-gml_numbers(const char *at, size_t length, double *out, int want)
-{
-	const char *end;
-	int count = 0;
-
-	if (!length)
-		return 0;
-	end = at + length;
-	while (count < want) {
-		while (at < end && (is_blank(*at) || *at == ','))
-			at++;
-		at = number_parse(at, end, &out[count]);
-		if (!at)
-			break;
-		count++;
-	}
-	return count;
-}
-
 uint32_t
 gml_system(const struct gml_reader *reader, uint32_t given)
 {
@@ -195,7 +149,7 @@ gml_north_first(struct gml_reader *reader, uint32_t system,
 
 	if (srs->decided)
 		return srs->north_first;
-	if (gml_numbers(position, length, sample, 3) < 2)
+	if (numbers_first(position, length, sample, 3) < 2)
 		return false;
 	srs->north_first = srs_north_first(&srs->srs,
 		(struct tcs_point){sample[0], sample[1], sample[2]},
@@ -248,7 +202,7 @@ bounds_end(struct gml_reader *reader, const struct frame *frame)
 	upper = frame->name->kind == NAME_ENVELOPE_CORNER
 		? frame->name->local[0] == 'u'
 		: reader->has_corner[0];
-	if (gml_numbers(reader->text.at, reader->text.count,
+	if (numbers_first(reader->text.at, reader->text.count,
 		    reader->corner[upper], 3) == 3)
 		reader->has_corner[upper] = true;
 }
@@ -456,28 +410,29 @@ gml_characters(void *context, const char *bytes, size_t length,
 	return TCS_OK;
 }
 
+/* The frame that ends is popped, but stays where it is meanwhile. */
 static enum tcs_status
 gml_end_element(void *context, struct tcs_fault *fault)
 {
 	struct gml_reader *reader = context;
-	struct frame frame = *gml_top(reader);
+	struct frame *frame = gml_top(reader);
 
 	reader->frames.count--;
-	switch (frame.role) {
+	switch (frame->role) {
 	case ROLE_FEATURE:
 	case ROLE_PROPERTY:
 	case ROLE_ATTRIBUTE:
 	case ROLE_GENERIC:
 	case ROLE_GENERIC_PART:
-		return feature_end(reader, &frame, fault);
+		return feature_end(reader, frame, fault);
 	case ROLE_GEOMETRY:
-		return geometry_end(reader, &frame, fault);
+		return geometry_end(reader, frame, fault);
 	case ROLE_IMPLICIT:
-		return implicit_end(reader, &frame, fault);
+		return implicit_end(reader, frame, fault);
 	case ROLE_APPEARANCE:
-		return appearance_end(reader, &frame, fault);
+		return appearance_end(reader, frame, fault);
 	case ROLE_BOUNDS:
-		bounds_end(reader, &frame);
+		bounds_end(reader, frame);
 		return TCS_OK;
 	case ROLE_DOCUMENT:
 	case ROLE_MODEL:

@@ -24,6 +24,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "citygml_keys.h"
 #include "citygml_names.h"
@@ -218,14 +219,28 @@ enum tcs_status gml_text(struct gml_reader *reader, const char *bytes,
 enum tcs_status gml_name_text(struct gml_reader *reader, struct name *name,
 	tcs_text *out, struct tcs_fault *fault) TCS_CHECKED;
 
-/* The attribute of this name; NULL for none. */
-const struct xml_attribute *attribute_find(
-	const struct xml_attribute *attributes, size_t count,
-	const char *local);
+/* The attribute of this name; NULL for none. Most elements have no attribute. */
+static inline const struct xml_attribute *
+attribute_find(
+	const struct xml_attribute *attributes, size_t count, const char *local)
+{
+	for (size_t i = 0; i < count; i++)
+		if (*attributes[i].local == *local &&
+			!strcmp(attributes[i].local, local))
+			return &attributes[i];
+	return NULL;
+}
 
 /* gml:id, in any spelling met in files. */
-const struct xml_attribute *attribute_find_id(
-	const struct xml_attribute *attributes, size_t count);
+static inline const struct xml_attribute *
+attribute_find_id(const struct xml_attribute *attributes, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		if (!strcmp(attributes[i].local, "id") ||
+			!strcmp(attributes[i].local, "gml_id"))
+			return &attributes[i];
+	return NULL;
+}
 
 /* The number of a coordinate system; read once per spelling. */
 enum tcs_status gml_srs(struct gml_reader *reader, const char *name,
@@ -234,9 +249,6 @@ enum tcs_status gml_srs(struct gml_reader *reader, const char *name,
 /* Whether a system comes north first, given its first position as text. */
 bool gml_north_first(struct gml_reader *reader, uint32_t system,
 	const char *position, size_t length);
-
-/* The first numbers of a text, at most `want`; how many there were. */
-int gml_numbers(const char *at, size_t length, double *out, int want);
 
 /* The system in force for a position of the object: the given one, else the
  * object's, else the model's; TCS_NONE for none. */

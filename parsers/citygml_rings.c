@@ -3,67 +3,7 @@
  */
 #include "citygml_build.h"
 
-#include <math.h>
-#include <string.h>
-
-/* ---- numbers ---------------------------------------------------------------- */
-
-static bool
-is_blank(char c)
-{
-	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
-int
-numbers_of(const char *at, size_t length, double *out, size_t want)
-{
-	const char *end = at + length;
-	size_t count = 0;
-
-	for (;;) {
-		while (at < end && is_blank(*at))
-			at++;
-		if (at == end)
-			return (int)count;
-		if (count == want)
-			return -1;
-		at = number_parse(at, end, &out[count]);
-		if (!at || (at < end && !is_blank(*at)) ||
-			!isfinite(out[count]))
-			return -1;
-		count++;
-	}
-}
-
-/* All numbers of the text; *bad when something else stands there too. */
-static enum tcs_status
-numbers_read(struct builder *builder, const char *at, size_t length, bool *bad,
-	struct tcs_fault *fault)
-{
-	const char *end = at + length;
-	struct number_list *numbers = &builder->numbers;
-
-	numbers->count = 0;
-	*bad = false;
-	for (;;) {
-		const char *next;
-
-		while (at < end && is_blank(*at))
-			at++;
-		if (at == end)
-			return TCS_OK;
-		if (array_grow(numbers, 1))
-			return fault_memory(fault);
-		next = number_parse(at, end, &numbers->at[numbers->count]);
-		if (!next || (next < end && !is_blank(*next)) ||
-			!isfinite(numbers->at[numbers->count])) {
-			*bad = true;
-			return TCS_OK;
-		}
-		numbers->count++;
-		at = next;
-	}
-}
+#include "citygml_numbers.h"
 
 /* ---- dimensions ---------------------------------------------------------------- */
 
@@ -181,8 +121,8 @@ ring_read(struct builder *builder, const struct raw_object *home,
 	size_t dimension;
 	bool bad;
 
-	status = numbers_read(builder, home->positions.at + ring->first,
-		ring->length, &bad, fault);
+	status = numbers_read(&builder->numbers,
+		home->positions.at + ring->first, ring->length, &bad, fault);
 	if (status)
 		return status;
 	dimension = dimension_find(ring, &builder->numbers);
