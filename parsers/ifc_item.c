@@ -4,6 +4,7 @@
 
 #include "ifc_style.h"
 #include "ifc_sweep_curve.h"
+#include "solid.h"
 
 /* ---- bodies -------------------------------------------------------------- */
 
@@ -21,6 +22,8 @@ ifc_scratch_free(struct ifc_scratch *scratch)
 		return;
 	ifc_faces_release(&scratch->profile);
 	array_release(&scratch->points);
+	array_release(&scratch->remarks);
+	solid_cutter_free(scratch->cutter);
 	free(scratch);
 }
 
@@ -152,6 +155,9 @@ body_inside(struct ifc_shaper *shaper, uint32_t item, struct ifc_body *out)
 	case IFC_TRIANGULATEDFACESET:
 	case IFC_TRIANGULATEDIRREGULARNETWORK:
 		return ifc_faceset(shaper, item, out);
+	case IFC_BOOLEANRESULT:
+	case IFC_BOOLEANCLIPPINGRESULT:
+		return ifc_boolean(shaper, item, out);
 	case IFC_MAPPEDITEM:
 		return ifc_mapped(shaper, item, out);
 	case IFC_CSGSOLID:

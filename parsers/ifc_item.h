@@ -28,10 +28,21 @@ struct ifc_body {
 	TCS_ARRAY(struct ifc_part) parts;
 };
 
+/* What is to be said about a product that was shaped all the same. */
+struct ifc_remark {
+	uint32_t instance;
+	enum report_severity severity;
+	const char *reason; /* static text */
+};
+
+struct solid_cutter;
+
 /* One shaper's memory for steps in between, reused. */
 struct ifc_scratch {
 	struct ifc_faces profile;
 	struct ifc_points points;
+	struct solid_cutter *cutter; /* NULL until something is cut */
+	TCS_ARRAY(struct ifc_remark) remarks; /* about this product */
 };
 
 enum tcs_status ifc_scratch_new(
@@ -90,6 +101,15 @@ enum ifc_outcome ifc_surface_model(struct ifc_shaper *shaper, uint32_t item,
 
 /* IfcPolygonalFaceSet and IfcTriangulatedFaceSet. */
 enum ifc_outcome ifc_faceset(struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_body *out) TCS_CHECKED;
+
+/* ---- ifc_boolean.c ------------------------------------------------------- */
+
+/*
+ * IfcBooleanResult: one part, which is a surface where the first operand is no
+ * closed solid; none where nothing is left.
+ */
+enum ifc_outcome ifc_boolean(struct ifc_shaper *shaper, uint32_t item,
 	struct ifc_body *out) TCS_CHECKED;
 
 /* ---- ifc_mapped.c -------------------------------------------------------- */

@@ -52,6 +52,9 @@ ifc_model_read(struct ifc_model *model, const char *text, size_t length,
 		status = ifc_objects_list(&model->file, &model->tree, keep,
 			&model->objects, fault);
 	if (!status)
+		status = ifc_openings_list(
+			&model->tree, &model->openings, fault);
+	if (!status)
 		status = ifc_styles_read(&model->file, &model->styles, fault);
 	if (!status)
 		status = ifc_links_read(&model->file, &model->links, fault);
@@ -66,6 +69,7 @@ void
 ifc_model_release(struct ifc_model *model)
 {
 	array_release(&model->links);
+	array_release(&model->openings);
 	ifc_styles_release(&model->styles);
 	ifc_objects_release(&model->objects);
 	array_release(&model->tree);

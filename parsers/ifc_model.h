@@ -7,6 +7,7 @@
 
 #include "ifc_links.h"
 #include "ifc_objects.h"
+#include "ifc_opening.h"
 #include "ifc_placement.h"
 #include "ifc_style.h"
 #include "ifc_units.h"
@@ -18,6 +19,7 @@ struct ifc_model {
 	struct ifc_placements placements;
 	struct ifc_tree tree;
 	struct ifc_objects objects;
+	struct ifc_openings openings;
 	struct ifc_styles styles;
 	struct ifc_links links;
 	uint32_t unit_assignment; /* of the project; STEP_NONE */

@@ -13,6 +13,7 @@ ifc_worker_begin(struct ifc_worker *worker, const struct ifc_model *model,
 	*worker = (struct ifc_worker){.model = model,
 		.world = *world,
 		.shaper = {.file = &model->file,
+			.unit = model->units.length,
 			.angle = model->units.angle,
 			.deflection = deflection / model->units.length,
 			.precision = model->precision,
@@ -29,6 +30,7 @@ ifc_worker_end(struct ifc_worker *worker)
 	triangulator_free(worker->triangulator);
 	ifc_scratch_free(worker->shaper.scratch);
 	ifc_body_release(&worker->body);
+	ifc_body_release(&worker->tools);
 }
 
 /* What was refused: the kind of the culprit, and why. */
@@ -45,29 +47,27 @@ refusal_report(const struct ifc_shaper *shaper, uint32_t item, const char *id,
 		shaper->reason, id, TCS_NOWHERE, fault);
 }
 
-/* All items of a representation; those that fail are taken back. */
+/* Append all items of a representation; those that fail are taken back. */
 static enum tcs_status
 items_shape(struct ifc_worker *worker, uint32_t representation, const char *id,
-	struct report *report, struct tcs_fault *fault)
+	struct ifc_body *out, struct report *report, struct tcs_fault *fault)
 {
 	struct ifc_shaper *shaper = &worker->shaper;
 	struct step_value list = ifc_items_of(shaper->file, representation);
 	enum tcs_status status = TCS_OK;
 	struct step_value value;
 
-	ifc_body_clear(&worker->body);
-	shaper->points = 0;
 	while (!status && list.kind == STEP_LIST &&
 		step_next(&list.list, &value) > STEP_END) {
 		uint32_t item = step_target(shaper->file->step, &value);
-		size_t before = worker->body.parts.count;
+		size_t before = out->parts.count;
 
 		shaper->depth = 0;
-		switch (ifc_item_body(shaper, item, &worker->body)) {
+		switch (ifc_item_body(shaper, item, out)) {
 		case IFC_SHAPED:
 			break;
 		case IFC_REFUSED:
-			ifc_body_cut(&worker->body, before);
+			ifc_body_cut(out, before);
 			status =
 				refusal_report(shaper, item, id, report, fault);
 			break;
@@ -75,6 +75,26 @@ items_shape(struct ifc_worker *worker, uint32_t representation, const char *id,
 			return fault_memory(fault);
 		}
 	}
+	return status;
+}
+
+/* What was remarked about the product so far. */
+static enum tcs_status
+remarks_report(struct ifc_worker *worker, const char *id, struct report *report,
+	struct tcs_fault *fault)
+{
+	struct ifc_scratch *scratch = worker->shaper.scratch;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; i < scratch->remarks.count && !status; i++) {
+		const struct ifc_remark *remark = scratch->remarks.at + i;
+		enum ifc_entity kind =
+			ifc_entity_of(worker->shaper.file, remark->instance);
+
+		status = report_item(report, remark->severity, ifc_name(kind),
+			remark->reason, id, TCS_NOWHERE, fault);
+	}
+	array_clear(&scratch->remarks);
 	return status;
 }
 
@@ -89,22 +109,133 @@ body_paint(struct ifc_worker *worker, uint32_t paint)
 			faces->faces.at[i].paint = paint;
 }
 
-/* From the product's coordinates, in the file's unit, to the stream's. */
+/* ---- placing and opening ------------------------------------------------- */
+
+/* A product's coordinates in the file's world; false where it is not known. */
 static bool
-product_matrix(const struct ifc_worker *worker, uint32_t product,
-	struct ifc_matrix *out)
+product_world(
+	const struct ifc_model *model, uint32_t product, struct ifc_matrix *out)
 {
-	const struct ifc_model *model = worker->model;
 	uint32_t instance =
 		ifc_target(&model->file, product, PRODUCT_PLACEMENT);
 	const struct ifc_placement *placement =
 		ifc_placement_find(&model->placements, instance);
 
-	if (instance != STEP_NONE && (!placement || !placement->known))
-		return false;
-	*out = placement ? ifc_multiply(&worker->world, &placement->world)
-			 : worker->world;
-	return true;
+	*out = placement ? placement->world : ifc_identity;
+	return instance == STEP_NONE || (placement && placement->known);
+}
+
+/* The way back of a placement, whose axes are unit vectors square to others. */
+static struct ifc_matrix
+placement_back(const struct ifc_matrix *world)
+{
+	const double *m = world->at;
+	struct ifc_matrix back = {{m[0], m[4], m[8], 0, m[1], m[5], m[9], 0,
+		m[2], m[6], m[10], 0, 0, 0, 0, 1}};
+	struct tcs_point origin =
+		ifc_transform(&back, (struct tcs_point){-m[3], -m[7], -m[11]});
+
+	back.at[3] = origin.x;
+	back.at[7] = origin.y;
+	back.at[11] = origin.z;
+	return back;
+}
+
+/* The body of one opening, in the host's coordinates, behind the tools. */
+static enum tcs_status
+opening_shape(struct ifc_worker *worker, uint32_t opening,
+	const struct ifc_matrix *back, const char *id, struct report *report,
+	struct tcs_fault *fault)
+{
+	const struct ifc_model *model = worker->model;
+	uint32_t product = model->tree.at[opening].instance;
+	uint32_t body = ifc_body_of(&model->file, product);
+	size_t first = worker->tools.faces.faces.count;
+	struct ifc_matrix world;
+	enum tcs_status status;
+
+	if (body == STEP_NONE)
+		return TCS_OK;
+	if (!product_world(model, product, &world))
+		return report_item(report, REPORT_SKIPPED, "opening",
+			"where it stands is not known", id, TCS_NOWHERE, fault);
+	status = items_shape(worker, body, id, &worker->tools, report, fault);
+	world = ifc_multiply(back, &world);
+	ifc_faces_transform(&worker->tools.faces, first, &world);
+	return status;
+}
+
+/*
+ * The openings of a node, and those of what it is a part of where that has no
+ * body of its own to cut.
+ */
+static enum tcs_status
+openings_shape(struct ifc_worker *worker, uint32_t node,
+	const struct ifc_matrix *world, const char *id, struct report *report,
+	struct tcs_fault *fault)
+{
+	const struct ifc_model *model = worker->model;
+	struct ifc_matrix back = placement_back(world);
+	enum tcs_status status = TCS_OK;
+
+	ifc_body_clear(&worker->tools);
+	for (;;) {
+		const struct ifc_node *at = model->tree.at + node;
+		const struct ifc_opening *found;
+		size_t count;
+
+		found = ifc_openings_find(&model->openings, node, &count);
+		for (size_t i = 0; i < count && !status; i++)
+			status = opening_shape(worker, found[i].opening, &back,
+				id, report, fault);
+		if (status || at->link != IFC_LINK_PART)
+			return status;
+		node = at->parent;
+		if (ifc_body_of(&model->file, model->tree.at[node].instance) !=
+			STEP_NONE)
+			return status;
+	}
+}
+
+/* Cut the openings; a body that cannot be cut stays whole. */
+static enum tcs_status
+body_open(struct ifc_worker *worker, uint32_t product, const char *id,
+	struct report *report, struct tcs_fault *fault)
+{
+	if (!worker->tools.parts.count)
+		return TCS_OK;
+	switch (ifc_body_open(
+		&worker->shaper, product, &worker->tools, &worker->body)) {
+	case IFC_SHAPED:
+		return TCS_OK;
+	case IFC_REFUSED:
+		return refusal_report(
+			&worker->shaper, product, id, report, fault);
+	default:
+		return fault_memory(fault);
+	}
+}
+
+/* ---- the product --------------------------------------------------------- */
+
+static enum tcs_status
+body_shape(struct ifc_worker *worker, uint32_t node, uint32_t representation,
+	const struct ifc_matrix *world, const char *id, struct report *report,
+	struct tcs_fault *fault)
+{
+	uint32_t product = worker->model->tree.at[node].instance;
+	enum tcs_status status;
+
+	ifc_body_clear(&worker->body);
+	worker->shaper.points = 0;
+	status = items_shape(
+		worker, representation, id, &worker->body, report, fault);
+	body_paint(worker, ifc_material_paint(worker->model, product));
+	if (!status)
+		status = openings_shape(worker, node, world, id, report, fault);
+	if (!status)
+		status = body_open(worker, product, id, report, fault);
+	return status ? status : remarks_report(worker, id, report, fault);
 }
 
 enum tcs_status
@@ -113,26 +244,27 @@ ifc_product_shape(struct ifc_worker *worker, uint32_t node, uint32_t feature,
 {
 	const struct ifc_file *file = &worker->model->file;
 	uint32_t product = worker->model->tree.at[node].instance;
-	uint32_t body = ifc_body_of(file, product);
+	uint32_t representation = ifc_body_of(file, product);
 	char id[IFC_GLOBAL_ID_ROOM];
-	struct ifc_matrix matrix;
+	struct ifc_matrix world;
 	enum tcs_status status;
 
 	if (!ifc_is_shown(file, product))
 		return TCS_OK;
 	ifc_global_id(file, product, id);
-	if (body == STEP_NONE)
+	if (representation == STEP_NONE)
 		return report_item(report, REPORT_NOTE, "product",
 			"has no body, only what stands for it", id, TCS_NOWHERE,
 			fault);
-	if (!product_matrix(worker, product, &matrix))
+	if (!product_world(worker->model, product, &world))
 		return report_item(report, REPORT_SKIPPED, "product",
 			"where it stands is not known", id, TCS_NOWHERE, fault);
-	status = items_shape(worker, body, id, report, fault);
-	body_paint(worker, ifc_material_paint(worker->model, product));
+	status = body_shape(
+		worker, node, representation, &world, id, report, fault);
+	world = ifc_multiply(&worker->world, &world);
 	if (!status)
 		status = ifc_polygons_add(worker->triangulator, &worker->body,
-			&(struct ifc_target_feature){&matrix, feature, LOD, id},
+			&(struct ifc_target_feature){&world, feature, LOD, id},
 			out, report, fault);
 	return status;
 }

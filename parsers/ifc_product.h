@@ -14,6 +14,7 @@ struct ifc_worker {
 	struct ifc_shaper shaper;
 	struct triangulator *triangulator;
 	struct ifc_body body;
+	struct ifc_body tools; /* its openings, in its coordinates */
 };
 
 /* `deflection` is in metres. Fails with TCS_NO_MEMORY. */

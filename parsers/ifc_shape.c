@@ -222,39 +222,52 @@ ifc_face_points(const struct ifc_faces *faces, const struct ifc_face *face)
 }
 
 enum ifc_outcome
-ifc_faces_append(struct ifc_shaper *shaper, struct ifc_faces *out,
-	const struct ifc_faces *from, size_t first_face)
+ifc_faces_append_some(struct ifc_shaper *shaper, struct ifc_faces *out,
+	const struct ifc_faces *from, size_t first, size_t end)
 {
-	size_t count = from->faces.count - first_face, points, rings;
-	size_t first_point, first_ring;
+	const struct ifc_face *begin = from->faces.at + first, *last;
+	size_t points, rings;
 	enum ifc_outcome outcome;
 
-	if (!count)
+	if (first >= end)
 		return IFC_SHAPED;
-	first_point = from->faces.at[first_face].first_point;
-	first_ring = from->faces.at[first_face].first_ring;
-	points = from->points.count - first_point;
-	rings = from->rings.count - first_ring;
+	last = from->faces.at + end - 1;
+	points = last->first_point + ifc_face_points(from, last) -
+		begin->first_point;
+	rings = last->first_ring + last->ring_count - begin->first_ring;
 	outcome = ifc_points_room(shaper, &out->points, points);
 	if (outcome)
 		return outcome;
-	if (array_grow(&out->rings, rings) || array_grow(&out->faces, count))
+	if (array_grow(&out->rings, rings) ||
+		array_grow(&out->faces, end - first))
 		return IFC_NO_MEMORY;
-	for (size_t i = 0; i < count; i++) {
-		struct ifc_face face = from->faces.at[first_face + i];
+	for (size_t i = first; i < end; i++) {
+		struct ifc_face face = from->faces.at[i];
 
-		face.first_point += (uint32_t)(out->points.count - first_point);
-		face.first_ring += (uint32_t)(out->rings.count - first_ring);
-		out->faces.at[out->faces.count + i] = face;
+		face.first_point +=
+			(uint32_t)(out->points.count - begin->first_point);
+		face.first_ring +=
+			(uint32_t)(out->rings.count - begin->first_ring);
+		out->faces.at[out->faces.count + i - first] = face;
 	}
 	memcpy(out->points.at + out->points.count,
-		from->points.at + first_point, points * sizeof *out->points.at);
-	memcpy(out->rings.at + out->rings.count, from->rings.at + first_ring,
+		from->points.at + begin->first_point,
+		points * sizeof *out->points.at);
+	memcpy(out->rings.at + out->rings.count,
+		from->rings.at + begin->first_ring,
 		rings * sizeof *out->rings.at);
 	out->points.count += points;
 	out->rings.count += rings;
-	out->faces.count += count;
+	out->faces.count += end - first;
 	return IFC_SHAPED;
+}
+
+enum ifc_outcome
+ifc_faces_append(struct ifc_shaper *shaper, struct ifc_faces *out,
+	const struct ifc_faces *from, size_t first_face)
+{
+	return ifc_faces_append_some(
+		shaper, out, from, first_face, from->faces.count);
 }
 
 /* ---- changing faces ------------------------------------------------------ */

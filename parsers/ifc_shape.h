@@ -36,6 +36,7 @@ struct ifc_styles;
 
 struct ifc_shaper {
 	const struct ifc_file *file; /* borrowed */
+	double unit; /* metres of the file's unit of length */
 	double angle; /* radians of the file's unit of plane angles */
 	double deflection; /* most that a chord may be off its curve */
 	double precision; /* points nearer than this are one */
@@ -116,7 +117,12 @@ void ifc_faces_cut(struct ifc_faces *faces, size_t first_face);
 size_t ifc_face_points(
 	const struct ifc_faces *faces, const struct ifc_face *face);
 
-/* Append a copy of the faces `first_face` and after of another list. */
+/* Append a copy of the faces from `first` to before `end` of another list. */
+enum ifc_outcome ifc_faces_append_some(struct ifc_shaper *shaper,
+	struct ifc_faces *out, const struct ifc_faces *from, size_t first,
+	size_t end) TCS_CHECKED;
+
+/* … of the face `first_face` and those after. */
 enum ifc_outcome ifc_faces_append(struct ifc_shaper *shaper,
 	struct ifc_faces *out, const struct ifc_faces *from,
 	size_t first_face) TCS_CHECKED;
