@@ -43,14 +43,14 @@ common := $(flags_$(config)) -pthread -Ilib -D_POSIX_C_SOURCE=200809L
 all_cflags = -std=c11 $(warnings_c) $(common) $(CPPFLAGS) $(CFLAGS)
 all_cxxflags = -std=c++17 $(warnings) $(common) $(CPPFLAGS) $(CXXFLAGS)
 all_ldflags = $(flags_$(config)) -pthread -Wl,--as-needed $(LDFLAGS)
-libs := -lxml2 -lproj -lGLU -ljansson -ltinygltf -ldeflate -lz -lm
+libs := -lxml2 -lproj -lGLU -ljansson -ltinygltf -lOpenMeshCore -ldeflate -lz -lm
 
 # ---- what is built ---------------------------------------------------------
 
 # A program is the file with its main, what it needs of the other files of its
 # folder, and what it needs of lib/. Those whose main is there are built.
 all_programs := parsers/citygml2tcs parsers/ifc2tcs parsers/json2tcs \
-	simplify/tcs-compare writers/tcs2json \
+	simplify/tcs-compare simplify/tcs-simplify writers/tcs2json \
 	writers/tcs2gltf writers/tcs2citygml tessera
 programs := $(patsubst %.c,%,$(wildcard $(addsuffix .c,$(all_programs))))
 program_names := $(notdir $(programs))

@@ -1,0 +1,62 @@
+/*
+ * source: W, cost of half-edge collapse (Wang et al. 2021, ISPRS IJGI 10, 422).
+ */
+#include "collapses.h"
+
+/* 1 / |cos θ| is bounded: at this cosine a pull is straight out. */
+#define LEAST_COSINE 0.05
+
+/* A collapse that is free otherwise prefers the shorter edge. */
+#define SHORTNESS 1e-10
+
+/*
+ * The plane of another component that the collapse pulls its boundary vertex
+ * out of most: the sine of the angle between edge and plane.
+ *
+ * What stays inside of the same component slides along it.
+ */
+static double
+worst_sine(const struct collapses *work, uint32_t node, uint32_t target,
+	struct tcs_point along)
+{
+	const struct seams *seams = work->seams;
+	uint32_t first = seams->nodes.at[node];
+	uint32_t end = seams->nodes.at[node + 1];
+	uint32_t there = seams->nodes.at[target];
+	uint32_t there_end = seams->nodes.at[target + 1];
+	double worst = 0;
+
+	for (uint32_t i = first; i < end; i++) {
+		const struct seam_plane *plane = &seams->planes.at[i];
+		bool stays = false;
+
+		for (uint32_t k = there; k < there_end; k++)
+			stays |= seams->planes.at[k].component ==
+				plane->component;
+		if (!stays)
+			worst = fmax(
+				worst, fabs(vector_dot(plane->normal, along)));
+	}
+	return worst;
+}
+
+double
+collapse_cost(const struct collapses *work, uint32_t node, uint32_t target)
+{
+	struct tcs_point to = work->positions.at[target];
+	struct tcs_point along =
+		vector_difference(to, work->positions.at[node]);
+	double square = vector_dot(along, along), pull;
+	double cost = quadric_at(&work->quadrics.at[node], to) +
+		SHORTNESS * work->areas.at[node] * square;
+
+	if (work->seams->nodes.at[node] == work->seams->nodes.at[node + 1] ||
+		!(square > 0))
+		return cost;
+	/* `pull` is how far the vertex leaves the other component; it costs
+	   even where the shape stays as it is. */
+	pull = worst_sine(work, node, target, along);
+	cost += work->areas.at[node] * pull * pull;
+	return cost * work->settings.base_ratio /
+		fmax(LEAST_COSINE, sqrt(fmax(0, 1 - pull * pull / square)));
+}

@@ -1,0 +1,275 @@
+#include "collapses.h"
+
+#include <stdlib.h>
+
+/* ---- beginning ----------------------------------------------------------- */
+
+static enum tcs_status
+make_room(struct collapses *work, struct tcs_fault *fault)
+{
+	size_t nodes = work->sheets->node_count;
+
+	array_clear(&work->positions);
+	array_clear(&work->quadrics);
+	array_clear(&work->areas);
+	array_clear(&work->targets);
+	array_clear(&work->normals);
+	if (array_grow(&work->positions, nodes) ||
+		array_grow(&work->quadrics, nodes) ||
+		array_grow(&work->areas, nodes) ||
+		array_grow(&work->targets, nodes) ||
+		array_grow(&work->normals, work->face_count))
+		return fault_memory(fault);
+	work->positions.count = work->quadrics.count = work->areas.count =
+		work->targets.count = nodes;
+	work->normals.count = work->face_count;
+	return node_queue_reset(&work->queue, nodes, fault);
+}
+
+enum tcs_status
+spokes_of(struct collapses *work, uint32_t vertex, size_t *count,
+	struct tcs_fault *fault)
+{
+	*count = half_edges_spokes(
+		work->mesh, vertex, work->spokes.at, work->spokes.room);
+	if (*count <= work->spokes.room)
+		return TCS_OK;
+	if (array_grow(&work->spokes, *count))
+		return fault_memory(fault);
+	*count = half_edges_spokes(
+		work->mesh, vertex, work->spokes.at, work->spokes.room);
+	return TCS_OK;
+}
+
+/* ---- the best target of a node -------------------------------------------- */
+
+static enum tcs_status
+add_candidate(struct collapses *work, uint32_t node, uint32_t target,
+	struct tcs_fault *fault)
+{
+	if (array_grow(&work->candidates, 1))
+		return fault_memory(fault);
+	work->candidates.at[work->candidates.count++] =
+		(struct queue_entry){collapse_cost(work, node, target), target};
+	return TCS_OK;
+}
+
+/* The neighbours of a node's first vertex; whether the others have them, too,
+   is found when one is tried. */
+static enum tcs_status
+find_candidates(struct collapses *work, uint32_t node, struct tcs_fault *fault)
+{
+	uint32_t vertex = work->sheets->nodes.at[node].first_vertex;
+	enum tcs_status status;
+	size_t count;
+
+	work->candidates.count = 0;
+	status = spokes_of(work, vertex, &count, fault);
+	for (size_t i = 0; !status && i < count; i++) {
+		uint32_t target = node_of(work, work->spokes.at[i].to);
+
+		if (target != node)
+			status = add_candidate(work, node, target, fault);
+	}
+	return status;
+}
+
+static int
+by_cost(const void *left, const void *right)
+{
+	const struct queue_entry *a = left, *b = right;
+
+	if (a->cost < b->cost || b->cost < a->cost)
+		return a->cost < b->cost ? -1 : 1;
+	return (a->node > b->node) - (a->node < b->node);
+}
+
+static void
+aim(struct collapses *work, uint32_t node, struct queue_entry at)
+{
+	work->targets.at[node] = at.node;
+	node_queue_set(&work->queue, node, at.cost);
+}
+
+/* Aim at the cheapest neighbour, fine or not. */
+static enum tcs_status
+judge_node(struct collapses *work, uint32_t node, struct tcs_fault *fault)
+{
+	struct queue_entry best = {INFINITY, TCS_NONE};
+	enum tcs_status status = find_candidates(work, node, fault);
+
+	for (size_t i = 0; !status && i < work->candidates.count; i++)
+		if (by_cost(&work->candidates.at[i], &best) < 0)
+			best = work->candidates.at[i];
+	aim(work, node, best);
+	return status;
+}
+
+/* Aim at the cheapest neighbour that is fine. */
+static enum tcs_status
+judge_again(struct collapses *work, uint32_t node, struct tcs_fault *fault)
+{
+	struct queue_entry best = {INFINITY, TCS_NONE};
+	enum tcs_status status = find_candidates(work, node, fault);
+	bool fine = false;
+
+	if (!status && work->candidates.count > 0)
+		qsort(work->candidates.at, work->candidates.count,
+			sizeof *work->candidates.at, by_cost);
+	for (size_t i = 0; !status && !fine && i < work->candidates.count;
+		i++) {
+		best = work->candidates.at[i];
+		status = collapse_check(work, node, best.node, &fine, fault);
+	}
+	aim(work, node, fine ? best : (struct queue_entry){INFINITY, TCS_NONE});
+	return status;
+}
+
+/* ---- the loop ------------------------------------------------------------ */
+
+static enum tcs_status
+list_neighbours(struct collapses *work, uint32_t node, struct tcs_fault *fault)
+{
+	const struct sheet_node *fans = &work->sheets->nodes.at[node];
+
+	work->touched.count = 0;
+	for (uint32_t v = fans[0].first_vertex; v < fans[1].first_vertex; v++) {
+		size_t count;
+		enum tcs_status status = spokes_of(work, v, &count, fault);
+
+		if (status)
+			return status;
+		if (array_grow(&work->touched, count))
+			return fault_memory(fault);
+		for (size_t i = 0; i < count; i++)
+			work->touched.at[work->touched.count++] =
+				node_of(work, work->spokes.at[i].to);
+	}
+	return TCS_OK;
+}
+
+/* A neighbour of a node that went into `target`: it can go there, too, now. */
+static enum tcs_status
+update(struct collapses *work, uint32_t node, uint32_t gone, uint32_t target,
+	struct tcs_fault *fault)
+{
+	uint32_t aimed = work->targets.at[node];
+	struct queue_entry there, now;
+
+	if (aimed == TCS_NONE || aimed == gone)
+		return judge_node(work, node, fault);
+	there = (struct queue_entry){collapse_cost(work, node, target), target};
+	now = work->queue.heap.at[work->queue.places.at[node]];
+	now.node = aimed;
+	if (by_cost(&there, &now) < 0)
+		aim(work, node, there);
+	return TCS_OK;
+}
+
+static enum tcs_status
+collapse(struct collapses *work, uint32_t node, uint32_t target,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = list_neighbours(work, node, fault);
+
+	if (!status)
+		status = collapse_do(work, node, target, fault);
+	aim(work, node, (struct queue_entry){INFINITY, TCS_NONE});
+	for (size_t i = 0; !status && i < work->touched.count; i++) {
+		uint32_t other = work->touched.at[i];
+
+		if (other == target)
+			status = judge_node(work, other, fault);
+		else if (other != node)
+			status = update(work, other, node, target, fault);
+	}
+	return status;
+}
+
+enum tcs_status
+collapses_run(struct collapses *work, size_t faces, struct tcs_fault *fault)
+{
+	const struct queue_entry *first;
+	enum tcs_status status = TCS_OK;
+
+	while (!status && work->face_count > faces &&
+		(first = node_queue_first(&work->queue))) {
+		uint32_t node = first->node;
+		uint32_t target = work->targets.at[node];
+		bool fine;
+
+		status = collapse_check(work, node, target, &fine, fault);
+		if (status)
+			break;
+		if (fine)
+			status = collapse(work, node, target, fault);
+		else
+			status = judge_again(work, node, fault);
+	}
+	return status;
+}
+
+enum tcs_status
+collapses_resume(struct collapses *work,
+	const struct collapse_settings *settings, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	work->settings = *settings;
+	for (uint32_t i = 0; !status && i < work->sheets->node_count; i++)
+		status = judge_node(work, i, fault);
+	return status;
+}
+
+enum tcs_status
+collapses_begin(struct collapses *work, const struct component_set *set,
+	const struct sheets *sheets, struct seams *seams,
+	const struct collapse_settings *settings, struct tcs_fault *fault)
+{
+	enum tcs_status status;
+
+	work->set = set;
+	work->sheets = sheets;
+	work->seams = seams;
+	work->face_count = sheets->face_triangles.count;
+	half_edges_free(work->mesh);
+	work->mesh = NULL;
+	status = half_edges_new(&work->mesh, sheets->corners.at,
+		sheets->opposites.at, work->face_count,
+		sheets->vertex_nodes.count, fault);
+	if (!status)
+		status = make_room(work, fault);
+	if (!status)
+		collapses_weigh(work);
+	return status ? status : collapses_resume(work, settings, fault);
+}
+
+bool
+collapses_face(const struct collapses *work, uint32_t face, uint32_t nodes[3])
+{
+	uint32_t corners[3];
+
+	if (!half_edges_corners(work->mesh, face, corners))
+		return false;
+	for (int k = 0; k < 3; k++)
+		nodes[k] = node_of(work, corners[k]);
+	return true;
+}
+
+void
+collapses_release(struct collapses *work)
+{
+	half_edges_free(work->mesh);
+	work->mesh = NULL;
+	array_release(&work->positions);
+	array_release(&work->quadrics);
+	array_release(&work->areas);
+	array_release(&work->targets);
+	array_release(&work->normals);
+	node_queue_release(&work->queue);
+	array_release(&work->spokes);
+	array_release(&work->candidates);
+	array_release(&work->touched);
+	array_release(&work->ring);
+	array_release(&work->opened);
+}

@@ -1,0 +1,104 @@
+/*
+ * The mesh of one object while it is simplified: what may be collapsed, what
+ * that costs, and doing it.
+ *
+ * A collapse moves a node into a neighbour of its component, which stays where
+ * it is; all vertices of the node move together. Coordinates should be near 0.
+ */
+#ifndef TESSERA_COLLAPSES_H
+#define TESSERA_COLLAPSES_H
+
+#include "half_edges.h"
+#include "node_queue.h"
+#include "quadric.h"
+#include "seams.h"
+#include "sheets.h"
+
+struct collapse_settings {
+	double base_ratio; /* of the cost of moving a boundary vertex; >= 1 */
+	double least_cosine; /* of the angle a face may turn by, in all */
+	bool loose; /* seams may come open, as long as one point holds */
+};
+
+/* All zero is empty; reused from object to object. */
+struct collapses {
+	const struct component_set *set; /* borrowed */
+	const struct sheets *sheets; /* borrowed */
+	struct seams *seams; /* borrowed */
+	struct half_edges *mesh;
+	struct collapse_settings settings;
+	TCS_ARRAY(struct tcs_point) positions; /* per node */
+	TCS_ARRAY(struct quadric) quadrics; /* per node */
+	TCS_ARRAY(double)
+	areas; /* per node: weight of its faces, square
+	                            metres */
+	TCS_ARRAY(uint32_t) targets; /* per node: the best; TCS_NONE */
+	TCS_ARRAY(struct tcs_point) normals; /* per face: at the beginning */
+	size_t face_count; /* left */
+	struct node_queue queue;
+	TCS_ARRAY(struct spoke) spokes; /* scratch */
+	TCS_ARRAY(struct queue_entry) candidates; /* scratch */
+	TCS_ARRAY(uint32_t) touched; /* scratch: nodes */
+	TCS_ARRAY(uint32_t) ring; /* scratch: vertices */
+	TCS_ARRAY(uint32_t) opened; /* scratch: contacts, one per point */
+};
+
+/*
+ * Begin with the whole mesh of a set split into sheets; seams as found there.
+ * All are borrowed, the seams change. Fails with TCS_NO_MEMORY, TCS_LIMIT.
+ */
+enum tcs_status collapses_begin(struct collapses *work,
+	const struct component_set *set, const struct sheets *sheets,
+	struct seams *seams, const struct collapse_settings *settings,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Collapse the cheapest until at most `faces` are left or nothing may be
+ * collapsed any more. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status collapses_run(struct collapses *work, size_t faces,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Go on under other settings: every node is judged anew. Fails with
+   TCS_NO_MEMORY. */
+enum tcs_status collapses_resume(struct collapses *work,
+	const struct collapse_settings *settings,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The nodes of a face that is left; false when it is gone. */
+bool collapses_face(
+	const struct collapses *work, uint32_t face, uint32_t nodes[3]);
+
+void collapses_release(struct collapses *work);
+
+/* ---- between the files of the simplifier ---------------------------------- */
+
+static inline uint32_t
+node_of(const struct collapses *work, uint32_t vertex)
+{
+	return work->sheets->vertex_nodes.at[vertex];
+}
+
+/* The edges of a vertex, valid until the next call. */
+enum tcs_status spokes_of(struct collapses *work, uint32_t vertex,
+	size_t *count, struct tcs_fault *fault) TCS_CHECKED;
+
+/* What moving a node into another costs: square metres times area. */
+double collapse_cost(
+	const struct collapses *work, uint32_t node, uint32_t target);
+
+/*
+ * Whether it may be done: the mesh stays manifold, no face turns over or
+ * becomes a sliver, and the seams hold. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status collapse_check(struct collapses *work, uint32_t node,
+	uint32_t target, bool *fine, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Do what was found fine. Fails with TCS_NO_MEMORY. */
+enum tcs_status collapse_do(struct collapses *work, uint32_t node,
+	uint32_t target, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Fill positions, normals, quadrics and areas. */
+void collapses_weigh(struct collapses *work);
+
+#endif

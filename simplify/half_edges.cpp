@@ -1,0 +1,346 @@
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <new>
+#include <vector>
+
+/* The kernel's accessors assert; here they are inlined without. */
+#ifndef NDEBUG
+#define NDEBUG
+#endif
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpedantic"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wextra"
+#endif
+#include <OpenMesh/Core/Mesh/ArrayKernel.hh>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+#include "half_edges.h"
+
+namespace
+{
+
+using Face = OpenMesh::FaceHandle;
+using Half = OpenMesh::HalfedgeHandle;
+using Vertex = OpenMesh::VertexHandle;
+
+constexpr std::size_t max_faces = std::size_t{1} << 29;
+
+template <typename Handle>
+Handle
+handle(std::size_t number)
+{
+	return Handle(static_cast<int>(number));
+}
+
+template <typename Handle>
+std::uint32_t
+number(Handle of)
+{
+	return of.is_valid() ? static_cast<std::uint32_t>(of.idx())
+			     : HALF_EDGE_NONE;
+}
+
+} // namespace
+
+struct half_edges {
+	OpenMesh::ArrayKernel kernel;
+	std::vector<std::uint32_t> marks; /* of vertices */
+	std::uint32_t mark = 0;
+
+	Half opposite(Half half) const
+	{
+		return handle<Half>(static_cast<std::size_t>(half.idx()) ^ 1);
+	}
+
+	Half next(Half half) const
+	{
+		return kernel.next_halfedge_handle(half);
+	}
+
+	Half previous(Half half) const
+	{
+		return kernel.prev_halfedge_handle(half);
+	}
+
+	Vertex head(Half half) const
+	{
+		return kernel.to_vertex_handle(half);
+	}
+
+	Face face(Half half) const
+	{
+		return kernel.face_handle(half);
+	}
+
+	bool is_open(Half half) const
+	{
+		return !face(half).is_valid();
+	}
+
+	/* The next outgoing half-edge counterclockwise. */
+	Half turn(Half half) const
+	{
+		return opposite(previous(half));
+	}
+
+	/* Where a walk around the vertex begins, see half_edges_spokes. */
+	Half first(Vertex vertex) const
+	{
+		Half half = kernel.halfedge_handle(vertex);
+
+		return half.is_valid() && is_open(half) ? turn(half) : half;
+	}
+
+	template <typename Visit> void around(Vertex vertex, Visit visit) const
+	{
+		Half begin = first(vertex);
+		Half half = begin;
+
+		if (!begin.is_valid())
+			return;
+		do {
+			visit(half);
+			half = turn(half);
+		} while (half != begin);
+	}
+
+	void link_corners(const std::uint32_t *corners,
+		const std::uint32_t *opposites, std::size_t face_count);
+	void link_open();
+	half_edges(const std::uint32_t *corners, const std::uint32_t *opposites,
+		std::size_t face_count, std::size_t vertex_count);
+	void settle(Vertex vertex, Half outgoing);
+	bool drops_cleanly(Half half) const;
+	std::uint32_t drop(Half half);
+};
+
+/* ---- building ------------------------------------------------------------ */
+
+/* Edges in the order of their first corners; the half-edge of that corner is
+   the even one. */
+void
+half_edges::link_corners(const std::uint32_t *corners,
+	const std::uint32_t *opposites, std::size_t face_count)
+{
+	std::vector<std::uint32_t> halves(3 * face_count);
+	std::size_t edges = 0;
+
+	for (std::size_t c = 0; c < 3 * face_count; c++)
+		if (opposites[c] == HALF_EDGE_NONE || opposites[c] > c)
+			halves[c] = static_cast<std::uint32_t>(2 * edges++);
+		else
+			halves[c] = halves[opposites[c]] + 1;
+	kernel.resize(marks.size(), edges, face_count);
+	for (std::size_t c = 0; c < 3 * face_count; c++) {
+		std::size_t next_corner = c % 3 == 2 ? c - 2 : c + 1;
+		Half half = handle<Half>(halves[c]);
+
+		kernel.set_vertex_handle(
+			half, handle<Vertex>(corners[next_corner]));
+		kernel.set_next_halfedge_handle(
+			half, handle<Half>(halves[next_corner]));
+		kernel.set_face_handle(half, handle<Face>(c / 3));
+		kernel.set_halfedge_handle(handle<Face>(c / 3), half);
+		kernel.set_halfedge_handle(handle<Vertex>(corners[c]), half);
+	}
+}
+
+/* Half-edges without a face: a vertex has one of them outwards, or none. */
+void
+half_edges::link_open()
+{
+	std::size_t count = kernel.n_halfedges();
+
+	for (std::size_t i = 0; i < count; i++) {
+		Half half = handle<Half>(i);
+		Half inner = opposite(half);
+
+		if (!is_open(half))
+			continue;
+		kernel.set_vertex_handle(half, head(previous(inner)));
+		kernel.set_halfedge_handle(head(inner), half);
+	}
+	for (std::size_t i = 0; i < count; i++) {
+		Half half = handle<Half>(i);
+
+		if (is_open(half))
+			kernel.set_next_halfedge_handle(
+				half, kernel.halfedge_handle(head(half)));
+	}
+}
+
+half_edges::half_edges(const std::uint32_t *corners,
+	const std::uint32_t *opposites, std::size_t face_count,
+	std::size_t vertex_count)
+    : marks(vertex_count)
+{
+	link_corners(corners, opposites, face_count);
+	link_open();
+}
+
+enum tcs_status
+half_edges_new(struct half_edges **out, const uint32_t *corners,
+	const uint32_t *opposites, size_t face_count, size_t vertex_count,
+	struct tcs_fault *fault) noexcept
+{
+	*out = nullptr;
+	if (face_count > max_faces)
+		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
+			"an object of more than 2^29 triangles");
+	try {
+		*out = new half_edges(
+			corners, opposites, face_count, vertex_count);
+	} catch (const std::exception &) {
+		return fault_memory(fault);
+	}
+	return TCS_OK;
+}
+
+void
+half_edges_free(struct half_edges *mesh) noexcept
+{
+	delete mesh;
+}
+
+/* ---- asking -------------------------------------------------------------- */
+
+size_t
+half_edges_spokes(const struct half_edges *mesh, uint32_t vertex,
+	struct spoke *out, size_t room) noexcept
+{
+	std::size_t count = 0;
+
+	mesh->around(handle<Vertex>(vertex), [&](Half half) {
+		if (count < room)
+			out[count] = {number(half), number(mesh->head(half)),
+				number(mesh->face(half))};
+		count++;
+	});
+	return count;
+}
+
+bool
+half_edges_corners(const struct half_edges *mesh, uint32_t face,
+	uint32_t corners[3]) noexcept
+{
+	Half half = mesh->kernel.halfedge_handle(handle<Face>(face));
+
+	if (!half.is_valid())
+		return false;
+	half = mesh->previous(half);
+	for (int k = 0; k < 3; k++, half = mesh->next(half))
+		corners[k] = number(mesh->head(half));
+	return true;
+}
+
+/* The face left of the half-edge may go: one of its other edges has a face
+   behind it, and there is something left to hang on to. */
+bool
+half_edges::drops_cleanly(Half half) const
+{
+	return is_open(half) || !is_open(opposite(next(half))) ||
+		!is_open(opposite(previous(half)));
+}
+
+bool
+half_edges_may_collapse(struct half_edges *mesh, uint32_t half_edge) noexcept
+{
+	Half half = handle<Half>(half_edge), back = mesh->opposite(half);
+	Vertex tail = mesh->head(back), head = mesh->head(half);
+	bool inner = !mesh->is_open(half) && !mesh->is_open(back);
+	std::size_t common = 0, tail_degree = 0, head_degree = 0;
+
+	if (!mesh->drops_cleanly(half) || !mesh->drops_cleanly(back))
+		return false;
+	/* An inner edge between two open vertices would pinch the rim. */
+	if (inner && mesh->is_open(mesh->kernel.halfedge_handle(tail)) &&
+		mesh->is_open(mesh->kernel.halfedge_handle(head)))
+		return false;
+	mesh->mark++;
+	mesh->around(tail, [&](Half spoke) {
+		tail_degree++;
+		mesh->marks[number(mesh->head(spoke))] = mesh->mark;
+	});
+	mesh->around(head, [&](Half spoke) {
+		head_degree++;
+		common += mesh->marks[number(mesh->head(spoke))] == mesh->mark;
+	});
+	if (common != (inner ? 2u : 1u))
+		return false;
+	/* A tetrahedron, or a triangle alone. */
+	return !(inner && tail_degree == 3 && head_degree == 3);
+}
+
+/* ---- collapsing ---------------------------------------------------------- */
+
+/* Let the vertex know an outgoing half-edge: the open one if it has any. */
+void
+half_edges::settle(Vertex vertex, Half outgoing)
+{
+	Half half = outgoing;
+
+	do {
+		if (is_open(half)) {
+			outgoing = half;
+			break;
+		}
+		half = turn(half);
+	} while (half != outgoing);
+	kernel.set_halfedge_handle(vertex, outgoing);
+}
+
+/*
+ * Take the half-edge, whose ends are one by now, out of its loop. A triangle
+ * goes with it: of its two other edges one takes the place of both.
+ */
+std::uint32_t
+half_edges::drop(Half half)
+{
+	Half kept = next(half), lost = previous(half);
+	Half outside = opposite(lost), back = opposite(kept);
+	Vertex apex = head(kept);
+	Face gone = face(half);
+
+	if (!gone.is_valid()) {
+		kernel.set_next_halfedge_handle(lost, kept);
+		return HALF_EDGE_NONE;
+	}
+	kernel.set_face_handle(kept, face(outside));
+	kernel.set_next_halfedge_handle(kept, next(outside));
+	kernel.set_next_halfedge_handle(previous(outside), kept);
+	if (face(outside).is_valid())
+		kernel.set_halfedge_handle(face(outside), kept);
+	kernel.set_halfedge_handle(gone, Half());
+	settle(apex, back);
+	return number(gone);
+}
+
+size_t
+half_edges_collapse(
+	struct half_edges *mesh, uint32_t half_edge, uint32_t gone[2]) noexcept
+{
+	Half half = handle<Half>(half_edge), back = mesh->opposite(half);
+	Vertex tail = mesh->head(back), head = mesh->head(half);
+	/* It leaves the head, once that is all there is of the edge. */
+	Half kept = mesh->next(mesh->is_open(half) ? back : half);
+	std::size_t count = 0;
+	std::uint32_t dropped;
+
+	mesh->around(tail, [&](Half spoke) {
+		mesh->kernel.set_vertex_handle(mesh->opposite(spoke), head);
+	});
+	mesh->kernel.set_halfedge_handle(tail, Half());
+	for (Half side : {half, back}) {
+		dropped = mesh->drop(side);
+		if (dropped != HALF_EDGE_NONE)
+			gone[count++] = dropped;
+	}
+	mesh->settle(head, kept);
+	return count;
+}

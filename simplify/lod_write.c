@@ -1,0 +1,466 @@
+#include "lod_write.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "texture_plane.h"
+
+/* Points an empty-handed copy at the elements of another array. */
+#define LEND(to, from) \
+	((to)->at = (from)->at, (to)->count = (from)->count, (to)->room = 0)
+
+/* ---- beginning ----------------------------------------------------------- */
+
+/* The paints of `from` by polygon: count, then place. */
+static enum tcs_status
+sort_paints(struct lod_writer *writer, struct tcs_fault *fault)
+{
+	const struct tcs_object *from = writer->from;
+	size_t polygons = from->polygons.count;
+	uint32_t *first;
+
+	array_clear(&writer->paints);
+	array_clear(&writer->first_paints);
+	if (array_grow(&writer->paints, from->paints.count) ||
+		array_grow(&writer->first_paints, polygons + 2))
+		return fault_memory(fault);
+	writer->paints.count = from->paints.count;
+	writer->first_paints.count = polygons + 1;
+	first = writer->first_paints.at;
+	memset(first, 0, (polygons + 2) * sizeof *first);
+	for (size_t i = 0; i < from->paints.count; i++)
+		first[from->paints.at[i].polygon + 2]++;
+	for (size_t i = 0; i < polygons; i++)
+		first[i + 2] += first[i + 1];
+	for (size_t i = 0; i < from->paints.count; i++)
+		writer->paints.at[first[from->paints.at[i].polygon + 1]++] =
+			(uint32_t)i;
+	return TCS_OK;
+}
+
+enum tcs_status
+lod_write_begin(struct lod_writer *writer, const struct tcs_object *from,
+	struct tcs_fault *fault)
+{
+	struct tcs_object *to = &writer->to;
+
+	writer->from = from;
+	object_clear(to);
+	array_release(&to->text);
+	LEND(&to->text, &from->text);
+	LEND(&to->features, &from->features);
+	LEND(&to->attributes, &from->attributes);
+	LEND(&to->relations, &from->relations);
+	LEND(&to->instances, &from->instances);
+	return sort_paints(writer, fault);
+}
+
+/* ---- the faces that are left ---------------------------------------------- */
+
+static enum tcs_status
+find_node_vertices(struct lod_writer *writer, const struct lod_source *source,
+	const struct collapses *work, struct tcs_fault *fault)
+{
+	const struct sheets *sheets = work->sheets;
+
+	array_clear(&writer->nodes);
+	if (array_grow(&writer->nodes, sheets->node_count))
+		return fault_memory(fault);
+	writer->nodes.count = sheets->node_count;
+	for (size_t i = sheets->corners.count; i-- > 0;) {
+		uint32_t triangle = sheets->face_triangles.at[i / 3];
+
+		writer->nodes.at[node_of(work, sheets->corners.at[i])] =
+			source->vertices.at[triangle].corner[i % 3];
+	}
+	return TCS_OK;
+}
+
+static int
+by_polygon(const void *left, const void *right)
+{
+	const struct lod_face *a = left, *b = right;
+
+	if (a->polygon != b->polygon)
+		return a->polygon < b->polygon ? -1 : 1;
+	return (a->triangle > b->triangle) - (a->triangle < b->triangle);
+}
+
+static enum tcs_status
+index_faces(struct lod_writer *writer, struct tcs_fault *fault)
+{
+	size_t polygons = writer->from->polygons.count, face = 0;
+
+	array_clear(&writer->first_faces);
+	if (array_grow(&writer->first_faces, polygons + 1))
+		return fault_memory(fault);
+	writer->first_faces.count = polygons + 1;
+	for (size_t i = 0; i <= polygons; i++) {
+		while (face < writer->faces.count &&
+			writer->faces.at[face].polygon < i)
+			face++;
+		writer->first_faces.at[i] = (uint32_t)face;
+	}
+	return TCS_OK;
+}
+
+enum tcs_status
+lod_write_faces(struct lod_writer *writer, const struct lod_source *source,
+	const struct collapses *work, struct tcs_fault *fault)
+{
+	size_t count = work->sheets->face_triangles.count;
+	enum tcs_status status =
+		find_node_vertices(writer, source, work, fault);
+
+	array_clear(&writer->faces);
+	if (!status && array_grow(&writer->faces, work->face_count))
+		status = fault_memory(fault);
+	for (uint32_t i = 0; !status && i < count; i++) {
+		struct lod_face *face = writer->faces.at + writer->faces.count;
+		uint32_t nodes[3];
+
+		if (!collapses_face(work, i, nodes))
+			continue;
+		face->triangle = work->sheets->face_triangles.at[i];
+		face->polygon = source->polygons.at[face->triangle];
+		for (int k = 0; k < 3; k++)
+			face->vertices[k] = writer->nodes.at[nodes[k]];
+		writer->faces.count++;
+	}
+	if (!status && writer->faces.count > 0)
+		qsort(writer->faces.at, writer->faces.count,
+			sizeof *writer->faces.at, by_polygon);
+	return status ? status : index_faces(writer, fault);
+}
+
+/* ---- polygons ------------------------------------------------------------ */
+
+static enum tcs_status
+put_vertex(struct tcs_object *to, struct tcs_point at, struct tcs_fault *fault)
+{
+	if (to->vertices.count >= TCS_NONE)
+		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
+			"more than 2^32 vertices in one object");
+	if (array_grow(&to->vertices, 1))
+		return fault_memory(fault);
+	to->vertices.at[to->vertices.count++] = at;
+	return TCS_OK;
+}
+
+/* A polygon without content yet; its runs begin at the ends of the arrays. */
+static enum tcs_status
+put_polygon(struct tcs_object *to, const struct tcs_polygon *like,
+	struct tcs_polygon **out, struct tcs_fault *fault)
+{
+	struct tcs_polygon polygon = *like;
+
+	polygon.first_vertex = (uint32_t)to->vertices.count;
+	polygon.first_ring = (uint32_t)to->rings.count;
+	polygon.first_triangle = (uint32_t)to->triangles.count;
+	if (array_grow(&to->polygons, 1))
+		return fault_memory(fault);
+	*out = &to->polygons.at[to->polygons.count++];
+	**out = polygon;
+	return TCS_OK;
+}
+
+/* A paint of the polygon written last, and room for its coordinates. */
+static enum tcs_status
+put_paint(struct tcs_object *to, const struct tcs_paint *like, size_t vertices,
+	struct tcs_fault *fault)
+{
+	bool textured = like->first_texcoord != TCS_NONE;
+	struct tcs_paint paint = *like;
+
+	paint.polygon = (uint32_t)to->polygons.count - 1;
+	if (textured)
+		paint.first_texcoord = (uint32_t)to->texcoords.count;
+	if (array_grow(&to->paints, 1) ||
+		(textured && array_grow(&to->texcoords, vertices)))
+		return fault_memory(fault);
+	to->paints.at[to->paints.count++] = paint;
+	return TCS_OK;
+}
+
+static enum tcs_status
+copy_paints(struct lod_writer *writer, uint32_t polygon, uint32_t vertices,
+	struct tcs_fault *fault)
+{
+	const struct tcs_object *from = writer->from;
+	struct tcs_object *to = &writer->to;
+
+	for (uint32_t i = writer->first_paints.at[polygon];
+		i < writer->first_paints.at[polygon + 1]; i++) {
+		const struct tcs_paint *paint =
+			&from->paints.at[writer->paints.at[i]];
+		enum tcs_status status = put_paint(to, paint, vertices, fault);
+
+		if (status)
+			return status;
+		for (uint32_t k = 0;
+			paint->first_texcoord != TCS_NONE && k < vertices; k++)
+			to->texcoords.at[to->texcoords.count++] =
+				from->texcoords.at[paint->first_texcoord + k];
+	}
+	return TCS_OK;
+}
+
+static enum tcs_status
+copy_polygon(
+	struct lod_writer *writer, uint32_t polygon, struct tcs_fault *fault)
+{
+	const struct tcs_object *from = writer->from;
+	const struct tcs_polygon *own = &from->polygons.at[polygon];
+	struct tcs_object *to = &writer->to;
+	struct tcs_polygon *out;
+	uint32_t shift;
+
+	if (put_polygon(to, own, &out, fault) ||
+		array_grow(&to->vertices, own->vertex_count) ||
+		array_grow(&to->rings, own->ring_count) ||
+		array_grow(&to->triangles, own->triangle_count))
+		return fault_memory(fault);
+	/* Modulo 2^32, either way. */
+	shift = out->first_vertex - own->first_vertex;
+	for (uint32_t i = 0; i < own->vertex_count; i++)
+		to->vertices.at[to->vertices.count++] =
+			from->vertices.at[own->first_vertex + i];
+	for (uint32_t i = 0; i < own->ring_count; i++) {
+		struct tcs_ring ring = from->rings.at[own->first_ring + i];
+
+		ring.first_vertex += shift;
+		to->rings.at[to->rings.count++] = ring;
+	}
+	for (uint32_t i = 0; i < own->triangle_count; i++) {
+		struct tcs_triangle triangle =
+			from->triangles.at[own->first_triangle + i];
+
+		for (int k = 0; k < 3; k++)
+			triangle.corner[k] += shift;
+		to->triangles.at[to->triangles.count++] = triangle;
+	}
+	return copy_paints(writer, polygon, own->vertex_count, fault);
+}
+
+/* "ID_L1", then "ID_L1_2" and so on. */
+static enum tcs_status
+derive_id(struct lod_writer *writer, tcs_text id, unsigned lod, uint32_t number,
+	tcs_text *out, struct tcs_fault *fault)
+{
+	size_t length = strlen(object_text(writer->from, id));
+	int more;
+
+	*out = 0;
+	if (!id)
+		return TCS_OK;
+	writer->id.count = 0;
+	if (array_grow(&writer->id, length + 32))
+		return fault_memory(fault);
+	memcpy(writer->id.at, object_text(writer->from, id), length);
+	if (number == 0)
+		more = snprintf(writer->id.at + length, 32, "_L%u", lod);
+	else
+		more = snprintf(writer->id.at + length, 32, "_L%u_%" PRIu32,
+			lod, number + 1);
+	return text_append(
+		&writer->to, writer->id.at, length + (size_t)more, out, fault);
+}
+
+static enum tcs_status
+project_paints(struct lod_writer *writer, const struct lod_source *source,
+	const struct lod_face *face, struct tcs_fault *fault)
+{
+	const struct tcs_object *from = writer->from;
+	const struct tcs_polygon *own = &from->polygons.at[face->polygon];
+	const uint32_t *old = source->vertices.at[face->triangle].corner;
+	struct tcs_object *to = &writer->to;
+	struct tcs_point corners[3];
+
+	for (int k = 0; k < 3; k++)
+		corners[k] = from->vertices.at[old[k]];
+	for (uint32_t i = writer->first_paints.at[face->polygon];
+		i < writer->first_paints.at[face->polygon + 1]; i++) {
+		const struct tcs_paint *paint =
+			&from->paints.at[writer->paints.at[i]];
+		enum tcs_status status = put_paint(to, paint, 3, fault);
+		struct tcs_texcoord old_coordinates[3];
+
+		if (status)
+			return status;
+		if (paint->first_texcoord == TCS_NONE)
+			continue;
+		for (int k = 0; k < 3; k++)
+			old_coordinates[k] =
+				from->texcoords.at[paint->first_texcoord +
+					old[k] - own->first_vertex];
+		for (int k = 0; k < 3; k++)
+			to->texcoords.at[to->texcoords.count++] =
+				texture_plane_at(corners, old_coordinates,
+					from->vertices.at[face->vertices[k]]);
+	}
+	return TCS_OK;
+}
+
+static enum tcs_status
+put_face(struct lod_writer *writer, const struct lod_source *source,
+	const struct lod_face *face, const struct tcs_polygon *like,
+	struct tcs_fault *fault)
+{
+	struct tcs_object *to = &writer->to;
+	struct tcs_polygon *out;
+	enum tcs_status status = put_polygon(to, like, &out, fault);
+
+	if (!status && array_grow(&to->triangles, 1))
+		status = fault_memory(fault);
+	if (status)
+		return status;
+	to->triangles.at[to->triangles.count++] =
+		(struct tcs_triangle){{out->first_vertex, out->first_vertex + 1,
+			out->first_vertex + 2}};
+	for (int k = 0; !status && k < 3; k++)
+		status = put_vertex(to,
+			writer->from->vertices.at[face->vertices[k]], fault);
+	return status ? status : project_paints(writer, source, face, fault);
+}
+
+/* What is left of one polygon; of a repeated one the same again. */
+static enum tcs_status
+simplify_polygon(struct lod_writer *writer, const struct lod_source *source,
+	uint32_t polygon, unsigned lod, struct tcs_fault *fault)
+{
+	const struct tcs_polygon *own = &writer->from->polygons.at[polygon];
+	uint32_t home = source->homes.at[polygon];
+	uint32_t first = writer->first_faces.at[home];
+	uint32_t end = writer->first_faces.at[home + 1];
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = first; !status && i < end; i++) {
+		struct tcs_polygon like = {
+			.surface = own->surface,
+			.vertex_count = 3,
+			.triangle_count = 1,
+			.flags = own->flags & TCS_POLYGON_SHARED,
+		};
+
+		status = derive_id(
+			writer, own->id, lod, i - first, &like.id, fault);
+		if (!status)
+			status = put_face(writer, source, &writer->faces.at[i],
+				&like, fault);
+	}
+	return status;
+}
+
+/* ---- geometries ---------------------------------------------------------- */
+
+enum tcs_status
+lod_write_copy(
+	struct lod_writer *writer, uint32_t geometry, struct tcs_fault *fault)
+{
+	struct tcs_geometry own = writer->from->geometries.at[geometry];
+	struct tcs_object *to = &writer->to;
+	enum tcs_status status = TCS_OK;
+	uint32_t shift = (uint32_t)to->polygons.count - own.first_polygon;
+
+	if (array_grow(&to->geometries, 1) ||
+		array_grow(&to->shells, own.shell_count))
+		return fault_memory(fault);
+	for (uint32_t i = 0; i < own.shell_count; i++) {
+		struct tcs_shell shell =
+			writer->from->shells.at[own.first_shell + i];
+
+		shell.first_polygon += shift;
+		to->shells.at[to->shells.count++] = shell;
+	}
+	for (uint32_t i = 0; !status && i < own.polygon_count; i++)
+		status = copy_polygon(writer, own.first_polygon + i, fault);
+	own.first_polygon += shift;
+	own.first_shell = (uint32_t)to->shells.count - own.shell_count;
+	to->geometries.at[to->geometries.count++] = own;
+	return status;
+}
+
+static enum tcs_status
+simplify_run(struct lod_writer *writer, const struct lod_source *source,
+	uint32_t first, uint32_t count, unsigned lod, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = 0; !status && i < count; i++)
+		status =
+			simplify_polygon(writer, source, first + i, lod, fault);
+	return status;
+}
+
+static enum tcs_status
+simplify_shells(struct lod_writer *writer, const struct lod_source *source,
+	const struct tcs_geometry *own, unsigned lod, struct tcs_fault *fault)
+{
+	struct tcs_object *to = &writer->to;
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = 0; !status && i < own->shell_count; i++) {
+		struct tcs_shell shell =
+			writer->from->shells.at[own->first_shell + i];
+		uint32_t first = (uint32_t)to->polygons.count;
+
+		status = simplify_run(writer, source, shell.first_polygon,
+			shell.polygon_count, lod, fault);
+		shell.id = 0;
+		shell.first_polygon = first;
+		shell.polygon_count = (uint32_t)to->polygons.count - first;
+		if (status || !shell.polygon_count)
+			continue;
+		if (array_grow(&to->shells, 1))
+			return fault_memory(fault);
+		to->shells.at[to->shells.count++] = shell;
+	}
+	return status;
+}
+
+enum tcs_status
+lod_write_simplified(struct lod_writer *writer, const struct lod_source *source,
+	uint32_t geometry, uint8_t lod, struct tcs_fault *fault)
+{
+	const struct tcs_geometry *own = &writer->from->geometries.at[geometry];
+	struct tcs_object *to = &writer->to;
+	struct tcs_geometry out = {
+		.feature = own->feature,
+		.first_shell = (uint32_t)to->shells.count,
+		.first_polygon = (uint32_t)to->polygons.count,
+		.lod = lod,
+		.kind = own->kind,
+		.flags = TCS_GEOMETRY_SIMPLIFIED,
+	};
+	enum tcs_status status;
+
+	if (own->lod == lod)
+		out.role = own->role;
+	if (own->shell_count)
+		status = simplify_shells(writer, source, own, lod, fault);
+	else
+		status = simplify_run(writer, source, own->first_polygon,
+			own->polygon_count, lod, fault);
+	out.shell_count = (uint32_t)to->shells.count - out.first_shell;
+	out.polygon_count = (uint32_t)to->polygons.count - out.first_polygon;
+	if (status || !out.polygon_count)
+		return status;
+	if (array_grow(&to->geometries, 1))
+		return fault_memory(fault);
+	to->geometries.at[to->geometries.count++] = out;
+	return TCS_OK;
+}
+
+void
+lod_write_release(struct lod_writer *writer)
+{
+	object_release(&writer->to);
+	array_release(&writer->paints);
+	array_release(&writer->first_paints);
+	array_release(&writer->faces);
+	array_release(&writer->first_faces);
+	array_release(&writer->nodes);
+	array_release(&writer->id);
+}

@@ -1,0 +1,58 @@
+/*
+ * Putting what a simplifier left into an object: geometries are copied as they
+ * are, or written anew from the faces that are left of them.
+ *
+ * A face becomes a polygon of one triangle without rings. It keeps the surface
+ * and the paints of the polygon it comes from; texture coordinates are those
+ * of its old triangle's plane at the new corners. Where the polygon has an id,
+ * the new one's derives from it.
+ */
+#ifndef TESSERA_LOD_WRITE_H
+#define TESSERA_LOD_WRITE_H
+
+#include "collapses.h"
+#include "lod_source.h"
+
+struct lod_face {
+	uint32_t polygon; /* of the object; that of the old triangle */
+	uint32_t triangle; /* of the source: the old one */
+	uint32_t vertices[3]; /* of the object */
+};
+
+/* All zero is empty; reused from object to object. */
+struct lod_writer {
+	const struct tcs_object *from; /* borrowed */
+	struct tcs_object to; /* features, attributes, relations, instances
+	                         and text are lent by `from` */
+	TCS_ARRAY(uint32_t) paints; /* of `from`, by polygon */
+	TCS_ARRAY(uint32_t) first_paints; /* per polygon, and one more */
+	TCS_ARRAY(struct lod_face) faces; /* by polygon */
+	TCS_ARRAY(uint32_t) first_faces; /* per polygon, and one more */
+	TCS_ARRAY(uint32_t) nodes; /* scratch: the vertex of each node */
+	TCS_ARRAY(char) id; /* scratch */
+};
+
+/* Begin: `to` is `from` without geometries. Fails with TCS_NO_MEMORY. */
+enum tcs_status lod_write_begin(struct lod_writer *writer,
+	const struct tcs_object *from, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Take the faces that are left now. Fails with TCS_NO_MEMORY. */
+enum tcs_status lod_write_faces(struct lod_writer *writer,
+	const struct lod_source *source, const struct collapses *work,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Append a geometry of `from` as it is. Fails with TCS_NO_MEMORY. */
+enum tcs_status lod_write_copy(struct lod_writer *writer, uint32_t geometry,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Append what the faces taken last leave of a geometry of `from`, at a level:
+ * nothing when there are none. Fails with TCS_NO_MEMORY, TCS_LIMIT.
+ */
+enum tcs_status lod_write_simplified(struct lod_writer *writer,
+	const struct lod_source *source, uint32_t geometry, uint8_t lod,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+void lod_write_release(struct lod_writer *writer);
+
+#endif

@@ -1,0 +1,51 @@
+/*
+ * One object to its levels of detail: choose the triangles, find components,
+ * contacts and seams, collapse under one budget for all components, and write
+ * the levels, each further down the same sequence of collapses.
+ */
+#ifndef TESSERA_OBJECT_SIMPLIFIER_H
+#define TESSERA_OBJECT_SIMPLIFIER_H
+
+#include "collapses.h"
+#include "lod_source.h"
+#include "lod_write.h"
+#include "report.h"
+
+enum { SIMPLIFY_LEVELS = 8 };
+
+struct simplify_level {
+	double rate; /* of triangles removed, 0 to 1 */
+	int lod; /* 0…4; -1: in the place of what is simplified */
+};
+
+struct simplify_settings {
+	struct simplify_level levels[SIMPLIFY_LEVELS]; /* by rising rate */
+	size_t level_count;
+	int source; /* level that is simplified, see lod_select.h */
+	double base_ratio; /* of the cost of a boundary vertex */
+	struct tcs_crs crs;
+};
+
+/* All zero is ready; one thread at a time. */
+struct object_simplifier {
+	struct lod_source source;
+	struct sheets sheets;
+	struct contact_list contacts;
+	struct seams seams;
+	struct collapses collapses;
+	struct lod_writer writer;
+};
+
+/*
+ * Simplify an object; *out is valid until the next call, and lends from `in`.
+ * What was reached and what was not goes to the report. Fails with
+ * TCS_NO_MEMORY, TCS_LIMIT.
+ */
+enum tcs_status simplify_object(struct object_simplifier *simplifier,
+	const struct simplify_settings *settings, const struct tcs_object *in,
+	const struct tcs_object **out, struct report *report,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+void object_simplifier_release(struct object_simplifier *simplifier);
+
+#endif

@@ -1,0 +1,75 @@
+/*
+ * Where components touch, as the simplifier watches it: points along the seam
+ * of every contact, each held by a face of either side, and the planes that
+ * tell which way a vertex may move without leaving the other component.
+ *
+ * A point is held while both sides have a face within its limit. A contact
+ * whose points are held cannot gape there: the two surfaces are at most twice
+ * the limit apart.
+ *
+ * source: W, boundary vertices, embedded edges, buffer, collapse reference
+ * planes (Wang et al. 2021, ISPRS IJGI 10, 422).
+ */
+#ifndef TESSERA_SEAMS_H
+#define TESSERA_SEAMS_H
+
+#include "contacts.h"
+#include "sheets.h"
+
+enum {
+	SEAM_POINTS = 24, /* watched of a contact, at most */
+};
+
+/* How far from a seam's point the faces that hold it may go, metres. */
+#define SEAM_LIMIT 0.01
+
+struct seam_point {
+	struct tcs_point at; /* as the points of the set */
+	double limit; /* metres */
+	uint32_t contact;
+	bool open;
+};
+
+/* One side of a point; of point i those of sides a and b are 2 i, 2 i + 1. */
+struct seam_hold {
+	uint32_t face; /* TCS_NONE when open */
+	uint32_t next; /* hold of the same face; TCS_NONE */
+};
+
+struct seam_count {
+	uint32_t points, open;
+};
+
+/* A boundary vertex and the face of another component that it meets. */
+struct seam_plane {
+	uint32_t node;
+	uint32_t component; /* the other */
+	struct tcs_point normal; /* of length 1 */
+};
+
+/* All zero is empty; reused from object to object. */
+struct seams {
+	TCS_ARRAY(struct seam_point) points; /* by contact */
+	TCS_ARRAY(struct seam_hold) holds;
+	TCS_ARRAY(uint32_t) faces; /* per face: its first hold; TCS_NONE */
+	TCS_ARRAY(struct seam_count) counts; /* per contact */
+	TCS_ARRAY(struct seam_plane) planes; /* by node */
+	TCS_ARRAY(uint32_t) nodes; /* per node: its first plane; one more */
+	TCS_ARRAY(struct seam_point) found; /* scratch */
+	TCS_ARRAY(uint32_t) found_faces; /* scratch: two per point */
+};
+
+/*
+ * Follow the seams of the contacts. Takes n log n steps for n triangles and
+ * the pairs of triangles that are within `reach`. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status seams_find(struct seams *seams, const struct component_set *set,
+	const struct sheets *sheets, const struct contact_list *contacts,
+	double reach, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Let a face hold what another, or none, has held. */
+void seams_move_hold(struct seams *seams, uint32_t hold, uint32_t face);
+
+void seams_release(struct seams *seams);
+
+#endif

@@ -1,0 +1,291 @@
+/* tcs-simplify: levels of detail that do not fall apart. */
+#include <stdlib.h>
+
+#include "crew.h"
+#include "number.h"
+#include "object_simplifier.h"
+#include "output.h"
+#include "program.h"
+#include "progress.h"
+#include "report.h"
+
+struct options {
+	struct simplify_settings settings;
+	double rate;
+	uint64_t max_record;
+};
+
+/* A record on its way through. */
+struct item {
+	struct tcs_record record;
+	struct tcs_object object;
+	struct report report;
+};
+
+struct run {
+	const struct command *command;
+	struct simplify_settings settings;
+	FILE *in;
+	struct output out;
+	struct tcs_reader reader;
+	struct tcs_writer writer;
+	struct object_simplifier *simplifiers; /* one per job */
+	struct item *items;
+	size_t item_count;
+	struct report report;
+	struct progress progress;
+};
+
+static enum tcs_status
+take_head(struct run *run, struct tcs_record *record, struct tcs_fault *fault)
+{
+	struct tcs_head head = {0};
+	enum tcs_status status = head_decode(&head, record, fault);
+
+	if (!status) {
+		run->settings.crs = head.crs.at[0];
+		status = head_sign(&head, run->command->program->name,
+			TESSERA_VERSION, run->command->arguments, fault);
+	}
+	if (!status)
+		status = head_encode(&head, record, fault);
+	head_release(&head);
+	return status;
+}
+
+static enum tcs_status
+read_item(void *context, void *slot, bool *done, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	struct item *item = slot;
+	enum tcs_status status;
+
+	report_clear(&item->report);
+	status = reader_next(&run->reader, &item->record, fault);
+	*done = !status && run->reader.ended;
+	if (!status && item->record.type == TCS_HEAD)
+		status = take_head(run, &item->record, fault);
+	return status;
+}
+
+static enum tcs_status
+simplify_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	struct item *item = slot;
+	const struct tcs_object *out;
+	enum tcs_status status;
+
+	if (item->record.type != TCS_OBJECT)
+		return TCS_OK;
+	status = object_decode(&item->object, &item->record, fault);
+	if (!status)
+		status = simplify_object(&run->simplifiers[worker],
+			&run->settings, &item->object, &out, &item->report,
+			fault);
+	if (!status)
+		status = object_encode(out, TCS_OBJECT, &item->record, fault);
+	return status;
+}
+
+static enum tcs_status
+write_item(void *context, void *slot, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	struct item *item = slot;
+	enum tcs_status status =
+		report_merge(&run->report, &item->report, fault);
+
+	if (!status)
+		status = writer_put(&run->writer, &item->record, fault);
+	progress_show(&run->progress, run->writer.tally.objects, 0, 0);
+	return status;
+}
+
+static enum tcs_status
+open_run(struct run *run, const struct command *command,
+	const struct options *options, struct tcs_fault *fault)
+{
+	enum tcs_status status;
+
+	run->command = command;
+	run->settings = options->settings;
+	run->item_count = crew_slots(command->jobs);
+	run->items = calloc(run->item_count, sizeof *run->items);
+	run->simplifiers = calloc(command->jobs, sizeof *run->simplifiers);
+	if (!run->items || !run->simplifiers)
+		return fault_memory(fault);
+	run->in = command->input ? fopen(command->input, "rb") : stdin;
+	if (!run->in)
+		return fault_system(fault, "cannot open", command->input);
+	reader_init(&run->reader, run->in);
+	run->reader.max_record = options->max_record;
+	status = output_open(&run->out, command->output, fault);
+	if (!status)
+		writer_init(&run->writer, run->out.file, 0);
+	return status;
+}
+
+static enum tcs_status
+convert(struct run *run, const struct command *command,
+	const struct options *options, struct tcs_fault *fault)
+{
+	enum tcs_status status = open_run(run, command, options, fault);
+	struct crew_plan plan = {
+		.context = run,
+		.slots = run->items,
+		.slot_size = sizeof *run->items,
+		.slot_count = run->item_count,
+		.read = read_item,
+		.work = simplify_item,
+		.write = write_item,
+	};
+
+	if (status)
+		return status;
+	progress_begin(&run->progress, command->program->name, "objects",
+		command->quiet);
+	status = crew_run(&plan, command->jobs, fault);
+	progress_end(&run->progress);
+	if (!status && command->strict)
+		status = report_strict(&run->report, fault);
+	if (!status)
+		status = writer_end(&run->writer, fault);
+	if (!status && command->stats)
+		status = report_write(&run->report, command->program->name,
+			command->stats, fault);
+	if (!status)
+		status = output_commit(&run->out, fault);
+	else
+		output_discard(&run->out);
+	return status;
+}
+
+static void
+close_run(struct run *run, const struct command *command)
+{
+	for (size_t i = 0; run->items && i < run->item_count; i++) {
+		record_release(&run->items[i].record);
+		object_release(&run->items[i].object);
+		report_release(&run->items[i].report);
+	}
+	for (size_t i = 0; run->simplifiers && i < command->jobs; i++)
+		object_simplifier_release(&run->simplifiers[i]);
+	free(run->items);
+	free(run->simplifiers);
+	reader_release(&run->reader);
+	writer_release(&run->writer);
+	report_release(&run->report);
+	if (run->in && run->in != stdin)
+		fclose(run->in);
+}
+
+/* ---- the command line ---------------------------------------------------- */
+
+static int
+by_rate(const void *left, const void *right)
+{
+	const struct simplify_level *a = left, *b = right;
+
+	return (a->rate > b->rate) - (a->rate < b->rate);
+}
+
+/* "N:RATE" */
+static const char *
+parse_level(void *target, const char *argument)
+{
+	struct simplify_settings *settings = target;
+	struct simplify_level level;
+	char *end;
+
+	if (argument[0] < '0' || argument[0] > '4' || argument[1] != ':')
+		return "not N:RATE with N one of 0, 1, 2, 3, 4";
+	level.lod = argument[0] - '0';
+	level.rate = strtod(argument + 2, &end);
+	if (end == argument + 2 || *end || !(level.rate >= 0) ||
+		!(level.rate < 1))
+		return "its rate is not a number from 0 to below 1";
+	for (size_t i = 0; i < settings->level_count; i++)
+		if (settings->levels[i].lod == level.lod)
+			return "this level is wanted twice";
+	settings->levels[settings->level_count++] = level;
+	return NULL;
+}
+
+static const char *
+parse_source(void *target, const char *argument)
+{
+	int *lod = target;
+
+	if (argument[0] < '0' || argument[0] > '4' || argument[1])
+		return "not one of 0, 1, 2, 3, 4";
+	*lod = argument[0] - '0';
+	return NULL;
+}
+
+static void
+settle_levels(const struct command *command, struct options *options)
+{
+	struct simplify_settings *settings = &options->settings;
+
+	if (options->rate >= 0 && settings->level_count > 0)
+		program_usage(command, "--rate and --lod exclude each other");
+	if (!settings->level_count)
+		settings->levels[settings->level_count++] =
+			(struct simplify_level){
+				options->rate >= 0 ? options->rate : 0.5, -1};
+	qsort(settings->levels, settings->level_count, sizeof *settings->levels,
+		by_rate);
+}
+
+int
+main(int argc, char **argv)
+{
+	struct options options = {
+		.settings = {.source = SELECT_HIGHEST, .base_ratio = 2},
+		.rate = -1,
+		.max_record = TCS_MAX_RECORD,
+	};
+	const struct option_row rows[] = {
+		{OPTION_NUMBER, 0, "rate", "R",
+			"Remove this share of each object's triangles, 0 to 1 "
+			"(default: 0.5).",
+			&options.rate, 0, 1, NULL},
+		{OPTION_PARSE, 0, "lod", "N:RATE",
+			"Add a level of detail beside the original, several "
+			"times if wanted.",
+			&options.settings, 0, 0, parse_level},
+		{OPTION_PARSE, 0, "from", "N",
+			"Level that is simplified (default: the highest of "
+			"each feature).",
+			&options.settings.source, 0, 0, parse_source},
+		{OPTION_NUMBER, 0, "a", "RATIO",
+			"How much dearer boundary vertices are (default: 2).",
+			&options.settings.base_ratio, 1, 1000, NULL},
+		{OPTION_BYTES, 0, "max-record", "BYTES",
+			"Refuse records of more bytes (default: 8G).",
+			&options.max_record, 0, 0, NULL},
+		{0},
+	};
+	const struct program program = {
+		.name = "tcs-simplify",
+		.synopsis = "[options] [in [out]]",
+		.summary = "Simplify objects without tearing them apart.",
+		.options = rows,
+		.flags = PROGRAM_READS | PROGRAM_BINARY_IN | PROGRAM_BINARY_OUT,
+	};
+	struct command command;
+	struct tcs_fault fault;
+	struct run run = {0};
+	int code = EXIT_DONE;
+
+	program_begin(&program, argc, argv, &command);
+	settle_levels(&command, &options);
+	if (convert(&run, &command, &options, &fault))
+		code = program_fail(&command, &fault);
+	else if (!command.quiet)
+		report_print(&run.report, program.name, stderr);
+	close_run(&run, &command);
+	program_end(&command);
+	return code;
+}
