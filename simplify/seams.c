@@ -18,6 +18,15 @@ struct walk {
 	bool failed; /* for want of memory */
 };
 
+/* A triangle of one component beside one of another. */
+struct view {
+	const struct triangle_shape *shape, *other;
+	int side; /* 0: shape is of the contact's first component */
+	uint32_t component; /* the other's */
+	uint32_t faces[2]; /* of sides 0 and 1 */
+	double heights[3]; /* of the corners over the other's plane */
+};
+
 static uint32_t
 node_at(const struct walk *walk, uint32_t face, int corner)
 {
@@ -56,53 +65,29 @@ add_plane(struct walk *walk, uint32_t node, uint32_t component,
  * diagonal of a quad: the corners across it are boundary vertices, too.
  */
 static void
-add_embedded(struct walk *walk, uint32_t face, int edge, uint32_t component,
-	const struct triangle_shape *other)
+add_embedded(struct walk *walk, const struct view *view, int edge)
 {
 	const struct sheets *sheets = walk->sheets;
+	uint32_t face = view->faces[view->side];
 	uint32_t back = sheets->opposites.at[3 * face + (uint32_t)edge];
-	struct triangle_shape shapes[2];
+	struct triangle_shape beside;
 
 	if (back == HALF_EDGE_NONE)
 		return;
-	shapes[0] =
-		component_set_shape(walk->set, sheets->face_triangles.at[face]);
-	shapes[1] = component_set_shape(
+	beside = component_set_shape(
 		walk->set, sheets->face_triangles.at[back / 3]);
-	if (vector_dot(unit_normal(&shapes[0]), unit_normal(&shapes[1])) <
+	if (vector_dot(unit_normal(view->shape), unit_normal(&beside)) <
 		SAME_PLANE)
 		return;
-	add_plane(walk, node_at(walk, face, (edge + 2) % 3), component, other);
-	add_plane(walk, node_at(walk, back / 3, (int)(back + 2) % 3), component,
-		other);
+	add_plane(walk, node_at(walk, face, (edge + 2) % 3), view->component,
+		view->other);
+	add_plane(walk, node_at(walk, back / 3, (int)(back + 2) % 3),
+		view->component, view->other);
 }
 
-/* The edge of a face that pierces a triangle of another component: the end
-   that lies inside is a boundary vertex. */
 static void
-judge_edge(struct walk *walk, uint32_t face, const struct triangle_shape *shape,
-	int edge, uint32_t component, const struct triangle_shape *other)
-{
-	struct tcs_point from = shape->corner[edge];
-	struct tcs_point to = shape->corner[(edge + 1) % 3];
-	struct tcs_point along = vector_difference(to, from), at;
-	struct tcs_point segment[2] = {vector_along(from, along, -BUFFER),
-		vector_along(to, along, BUFFER)};
-	bool tail;
-
-	if (!triangle_pierced(other, segment, &at))
-		return;
-	tail = vector_dot(along, triangle_normal(other)) >= 0;
-	add_plane(walk, node_at(walk, face, tail ? edge : (edge + 1) % 3),
-		component, other);
-	add_embedded(walk, face, edge, component, other);
-}
-
-/* ---- points of the seam -------------------------------------------------- */
-
-static void
-add_point(struct walk *walk, struct tcs_point at, double gap, uint32_t face_a,
-	uint32_t face_b)
+add_point(struct walk *walk, struct tcs_point at, double gap,
+	const uint32_t faces[2])
 {
 	struct seams *seams = walk->seams;
 
@@ -113,62 +98,139 @@ add_point(struct walk *walk, struct tcs_point at, double gap, uint32_t face_a,
 	}
 	seams->found.at[seams->found.count++] = (struct seam_point){
 		.at = at, .limit = gap > SEAM_LIMIT ? gap : SEAM_LIMIT};
-	seams->found_faces.at[seams->found_faces.count++] = face_a;
-	seams->found_faces.at[seams->found_faces.count++] = face_b;
+	seams->found_faces.at[seams->found_faces.count++] = faces[0];
+	seams->found_faces.at[seams->found_faces.count++] = faces[1];
+}
+
+/* The edge of a face that pierces a triangle of another component: the end
+   that lies inside is a boundary vertex. */
+static void
+judge_edge(struct walk *walk, const struct view *view, int edge)
+{
+	const struct triangle_shape *shape = view->shape;
+	double from = view->heights[edge];
+	double to = view->heights[(edge + 1) % 3];
+	double more = BUFFER * (to - from);
+	struct tcs_point along = vector_difference(
+		shape->corner[(edge + 1) % 3], shape->corner[edge]);
+	struct tcs_point at,
+		segment[2] = {vector_along(shape->corner[edge], along, -BUFFER),
+			vector_along(
+				shape->corner[(edge + 1) % 3], along, BUFFER)};
+	bool tail = to >= from;
+
+	if ((from - more < 0) == (to + more < 0) ||
+		!triangle_pierced(view->other, segment, &at))
+		return;
+	add_point(walk, at, 0, view->faces);
+	add_plane(walk,
+		node_at(walk, view->faces[view->side],
+			tail ? edge : (edge + 1) % 3),
+		view->component, view->other);
+	add_embedded(walk, view, edge);
 }
 
 /* The corners of one triangle that are within reach of the other. */
 static void
-judge_corners(struct walk *walk, const uint32_t faces[2],
-	const struct triangle_shape *const shapes[2], int side,
-	uint32_t other_component)
+judge_corner(struct walk *walk, const struct view *view, int corner)
 {
-	for (int k = 0; k < 3; k++) {
-		struct tcs_point corner = shapes[side]->corner[k];
-		struct tcs_point near =
-			triangle_nearest(shapes[1 - side], corner);
-		double gap = vector_length(vector_difference(corner, near));
+	struct tcs_point at = view->shape->corner[corner];
+	double gap;
 
-		if (gap > walk->reach)
-			continue;
-		add_point(walk, corner, gap, faces[0], faces[1]);
-		add_plane(walk, node_at(walk, faces[side], k), other_component,
-			shapes[1 - side]);
+	if (fabs(view->heights[corner]) > walk->reach)
+		return;
+	gap = vector_length(
+		vector_difference(at, triangle_nearest(view->other, at)));
+	if (gap > walk->reach)
+		return;
+	add_point(walk, at, gap, view->faces);
+	add_plane(walk, node_at(walk, view->faces[view->side], corner),
+		view->component, view->other);
+}
+
+/* A triangle as seen from the other; false when it is out of reach. */
+static bool
+look_at(const struct walk *walk, struct view *view)
+{
+	struct tcs_point normal = unit_normal(view->other);
+	double low = INFINITY, high = -INFINITY;
+
+	for (int k = 0; k < 3; k++) {
+		view->heights[k] = vector_dot(normal,
+			vector_difference(view->shape->corner[k],
+				view->other->corner[0]));
+		low = fmin(low, view->heights[k]);
+		high = fmax(high, view->heights[k]);
 	}
+	/* Longer by the buffer, on either side. */
+	return low - BUFFER * (high - low) <= walk->reach &&
+		high + BUFFER * (high - low) >= -walk->reach;
+}
+
+/* The two triangles of a pair, each as seen from the other. */
+static bool
+make_views(const struct walk *walk, uint32_t left, uint32_t right,
+	struct view views[2])
+{
+	const struct triangle_tree *tree = &walk->set->tree;
+	const uint32_t places[2] = {left, right};
+	uint32_t faces[2];
+
+	for (int i = 0; i < 2; i++)
+		faces[i] = walk->sheets->triangle_faces
+				   .at[tree->boxes.items.at[places[i]]];
+	if (faces[0] == TCS_NONE || faces[1] == TCS_NONE)
+		return false;
+	for (int i = 0; i < 2; i++) {
+		uint32_t other = tree->boxes.items.at[places[1 - i]];
+
+		views[i] = (struct view){
+			.shape = &tree->shapes.at[places[i]],
+			.other = &tree->shapes.at[places[1 - i]],
+			.side = i,
+			.component = walk->set->numbers.at[other],
+			.faces = {faces[0], faces[1]},
+		};
+		if (!look_at(walk, &views[i]))
+			return false;
+	}
+	return true;
 }
 
 static bool
 visit_pair(void *context, uint32_t left, uint32_t right)
 {
 	struct walk *walk = context;
-	const struct component_set *set = walk->set;
-	const struct triangle_tree *tree = &set->tree;
-	const uint32_t triangles[2] = {
-		tree->boxes.items.at[left], tree->boxes.items.at[right]};
-	const struct triangle_shape *const shapes[2] = {
-		&tree->shapes.at[left], &tree->shapes.at[right]};
-	uint32_t faces[2];
+	struct view views[2];
+
+	if (!make_views(walk, left, right, views))
+		return true;
+	for (int i = 0; i < 2; i++)
+		for (int k = 0; k < 3; k++) {
+			judge_corner(walk, &views[i], k);
+			judge_edge(walk, &views[i], k);
+		}
+	return !walk->failed;
+}
+
+/* Where no corner is in reach and no edge pierces, edges are near edges. */
+static bool
+visit_edges(void *context, uint32_t left, uint32_t right)
+{
+	struct walk *walk = context;
+	struct view views[2];
 	struct tcs_point points[2];
 	double gap;
 
-	for (int i = 0; i < 2; i++)
-		faces[i] = walk->sheets->triangle_faces.at[triangles[i]];
-	if (faces[0] == TCS_NONE || faces[1] == TCS_NONE)
+	if (!make_views(walk, left, right, views))
 		return true;
-	gap = triangle_gap(shapes[0], shapes[1], points);
-	if (gap > walk->reach)
-		return true;
-	add_point(walk, points[0], gap, faces[0], faces[1]);
-	for (int i = 0; i < 2; i++) {
-		uint32_t other = set->numbers.at[triangles[1 - i]];
-
-		judge_corners(walk, faces, shapes, i, other);
-		for (int k = 0; k < 3; k++)
-			judge_edge(walk, faces[i], shapes[i], k, other,
-				shapes[1 - i]);
-	}
+	gap = triangle_gap(views[0].shape, views[1].shape, points);
+	if (gap <= walk->reach)
+		add_point(walk, points[0], gap, views[0].faces);
 	return !walk->failed;
 }
+
+/* ---- the points that are watched ------------------------------------------ */
 
 struct place {
 	struct tcs_point at;
@@ -256,12 +318,15 @@ follow(struct walk *walk, const struct contact *contact, uint32_t number,
 	struct tcs_fault *fault)
 {
 	const struct component_set *set = walk->set;
+	uint32_t a = set->components.at[contact->a].root;
+	uint32_t b = set->components.at[contact->b].root;
 
 	array_clear(&walk->seams->found);
 	array_clear(&walk->seams->found_faces);
-	box_tree_pairs(&set->tree.boxes, set->components.at[contact->a].root,
-		set->components.at[contact->b].root, walk->reach, visit_pair,
-		walk);
+	box_tree_pairs(&set->tree.boxes, a, b, walk->reach, visit_pair, walk);
+	if (!walk->failed && !walk->seams->found.count)
+		box_tree_pairs(
+			&set->tree.boxes, a, b, walk->reach, visit_edges, walk);
 	if (walk->failed)
 		return fault_memory(fault);
 	return keep_points(walk->seams, number, fault);
