@@ -141,6 +141,42 @@ seams_hold(const struct collapses *work)
 	return true;
 }
 
+/* ---- surfaces ------------------------------------------------------------ */
+
+/* Append the surfaces of the faces at the edge to the target, which go. */
+static enum tcs_status
+list_leaving(struct collapses *work, size_t count, uint32_t target,
+	struct tcs_fault *fault)
+{
+	for (size_t i = 0; i < count; i++) {
+		uint32_t face = work->spokes.at[i].face, nodes[2];
+
+		if (face == HALF_EDGE_NONE ||
+			staying_corners(work, count, i, target, nodes))
+			continue;
+		if (array_grow(&work->leaving, 1))
+			return fault_memory(fault);
+		work->leaving.at[work->leaving.count++] =
+			surface_of(work, face);
+	}
+	return TCS_OK;
+}
+
+/* Whether every surface keeps a face. */
+static bool
+surfaces_stay(const struct collapses *work)
+{
+	for (size_t i = 0; i < work->leaving.count; i++) {
+		uint32_t surface = work->leaving.at[i], faces = 0;
+
+		for (size_t k = 0; k < work->leaving.count; k++)
+			faces += work->leaving.at[k] == surface;
+		if (faces >= work->surfaces.at[surface])
+			return false;
+	}
+	return true;
+}
+
 /* ---- one vertex ---------------------------------------------------------- */
 
 /* Whether the vertex has exactly one edge to the target, which may go. */
@@ -226,7 +262,7 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 	enum tcs_status status;
 
 	*fine = false;
-	work->opened.count = work->ring.count = 0;
+	work->opened.count = work->ring.count = work->leaving.count = 0;
 	for (uint32_t v = fans[0].first_vertex; v < fans[1].first_vertex; v++) {
 		uint32_t half_edge;
 		size_t count;
@@ -239,12 +275,15 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 			!ring_is_sound(work, count, node, target))
 			return TCS_OK;
 		status = list_opened(work, count, target, fault);
+		if (!status && !work->settings.loose)
+			status = list_leaving(work, count, target, fault);
 		if (!status && twins)
 			status = collect_ring(work, count, target, fault);
 		if (status)
 			return status;
 	}
-	*fine = seams_hold(work) && !(twins && ring_is_pinched(work));
+	*fine = seams_hold(work) && surfaces_stay(work) &&
+		!(twins && ring_is_pinched(work));
 	return TCS_OK;
 }
 
@@ -287,14 +326,16 @@ collapse_do(struct collapses *work, uint32_t node, uint32_t target,
 
 	for (uint32_t v = fans[0].first_vertex; v < fans[1].first_vertex; v++) {
 		uint32_t half_edge, gone[2];
-		size_t count;
+		size_t count, faces;
 
 		status = spokes_of(work, v, &count, fault);
 		if (status || !find_edge(work, count, target, &half_edge))
 			return status;
 		move_holds(work, count, target);
-		work->face_count -=
-			half_edges_collapse(work->mesh, half_edge, gone);
+		faces = half_edges_collapse(work->mesh, half_edge, gone);
+		work->face_count -= faces;
+		for (size_t i = 0; i < faces; i++)
+			work->surfaces.at[surface_of(work, gone[i])]--;
 	}
 	quadric_add(&work->quadrics.at[target], &work->quadrics.at[node]);
 	work->areas.at[target] += work->areas.at[node];

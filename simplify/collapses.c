@@ -1,8 +1,30 @@
 #include "collapses.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- beginning ----------------------------------------------------------- */
+
+static enum tcs_status
+count_surfaces(struct collapses *work, struct tcs_fault *fault)
+{
+	array_clear(&work->surfaces);
+	for (size_t i = 0; i < work->face_count; i++) {
+		uint32_t surface = surface_of(work, i);
+
+		if (surface >= work->surfaces.count) {
+			size_t more = surface + 1 - work->surfaces.count;
+
+			if (array_grow(&work->surfaces, more))
+				return fault_memory(fault);
+			memset(work->surfaces.at + work->surfaces.count, 0,
+				more * sizeof *work->surfaces.at);
+			work->surfaces.count += more;
+		}
+		work->surfaces.at[surface]++;
+	}
+	return TCS_OK;
+}
 
 static enum tcs_status
 make_room(struct collapses *work, struct tcs_fault *fault)
@@ -240,6 +262,8 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 	if (!status)
 		status = make_room(work, fault);
 	if (!status)
+		status = count_surfaces(work, fault);
+	if (!status)
 		collapses_weigh(work);
 	return status ? status : collapses_resume(work, settings, fault);
 }
@@ -266,10 +290,12 @@ collapses_release(struct collapses *work)
 	array_release(&work->areas);
 	array_release(&work->targets);
 	array_release(&work->normals);
+	array_release(&work->surfaces);
 	node_queue_release(&work->queue);
 	array_release(&work->spokes);
 	array_release(&work->candidates);
 	array_release(&work->touched);
 	array_release(&work->ring);
+	array_release(&work->leaving);
 	array_release(&work->opened);
 }

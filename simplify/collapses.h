@@ -17,7 +17,8 @@
 struct collapse_settings {
 	double base_ratio; /* of the cost of moving a boundary vertex; >= 1 */
 	double least_cosine; /* of the angle a face may turn by, in all */
-	bool loose; /* seams may come open, as long as one point holds */
+	bool loose; /* seams may come open as long as one point holds, and
+	               surfaces may vanish */
 };
 
 /* All zero is empty; reused from object to object. */
@@ -34,12 +35,14 @@ struct collapses {
 	                            metres */
 	TCS_ARRAY(uint32_t) targets; /* per node: the best; TCS_NONE */
 	TCS_ARRAY(struct tcs_point) normals; /* per face: at the beginning */
+	TCS_ARRAY(uint32_t) surfaces; /* per feature: its faces left */
 	size_t face_count; /* left */
 	struct node_queue queue;
 	TCS_ARRAY(struct spoke) spokes; /* scratch */
 	TCS_ARRAY(struct queue_entry) candidates; /* scratch */
 	TCS_ARRAY(uint32_t) touched; /* scratch: nodes */
 	TCS_ARRAY(uint32_t) ring; /* scratch: vertices */
+	TCS_ARRAY(uint32_t) leaving; /* scratch: surfaces, one per face */
 	TCS_ARRAY(uint32_t) opened; /* scratch: contacts, one per point */
 };
 
@@ -97,6 +100,13 @@ enum tcs_status collapse_check(struct collapses *work, uint32_t node,
 /* Do what was found fine. Fails with TCS_NO_MEMORY. */
 enum tcs_status collapse_do(struct collapses *work, uint32_t node,
 	uint32_t target, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The feature of a face. */
+static inline uint32_t
+surface_of(const struct collapses *work, size_t face)
+{
+	return work->set->features.at[work->sheets->face_triangles.at[face]];
+}
 
 /* Fill positions, normals, quadrics and areas. */
 void collapses_weigh(struct collapses *work);

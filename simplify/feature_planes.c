@@ -28,12 +28,6 @@ corners_of(const struct collapses *work, size_t face)
 	return work->sheets->corners.at + 3 * face;
 }
 
-static uint32_t
-surface_of(const struct collapses *work, size_t face)
-{
-	return work->set->features.at[work->sheets->face_triangles.at[face]];
-}
-
 static void
 add_face(struct collapses *work, size_t face)
 {
