@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lod_home.h"
 #include "texture_plane.h"
 
 /* Points an empty-handed copy at the elements of another array. */
@@ -338,7 +339,7 @@ simplify_polygon(struct lod_writer *writer, const struct lod_source *source,
 
 	for (uint32_t i = first; !status && i < end; i++) {
 		struct tcs_polygon like = {
-			.surface = own->surface,
+			.surface = writer->homes.at[own->surface],
 			.vertex_count = 3,
 			.triangle_count = 1,
 			.flags = own->flags & TCS_POLYGON_SHARED,
@@ -420,37 +421,187 @@ simplify_shells(struct lod_writer *writer, const struct lod_source *source,
 	return status;
 }
 
-enum tcs_status
-lod_write_simplified(struct lod_writer *writer, const struct lod_source *source,
-	uint32_t geometry, uint8_t lod, struct tcs_fault *fault)
+/* Close the geometry that began where `out` says, if anything is in it. */
+static enum tcs_status
+put_geometry(struct tcs_object *to, struct tcs_geometry *out,
+	struct tcs_fault *fault)
 {
-	const struct tcs_geometry *own = &writer->from->geometries.at[geometry];
-	struct tcs_object *to = &writer->to;
-	struct tcs_geometry out = {
-		.feature = own->feature,
+	out->shell_count = (uint32_t)to->shells.count - out->first_shell;
+	out->polygon_count = (uint32_t)to->polygons.count - out->first_polygon;
+	if (!out->polygon_count)
+		return TCS_OK;
+	if (array_grow(&to->geometries, 1))
+		return fault_memory(fault);
+	to->geometries.at[to->geometries.count++] = *out;
+	return TCS_OK;
+}
+
+static struct tcs_geometry
+begin_geometry(const struct tcs_object *to, uint32_t feature, uint8_t kind,
+	uint8_t lod)
+{
+	return (struct tcs_geometry){
+		.feature = feature,
 		.first_shell = (uint32_t)to->shells.count,
 		.first_polygon = (uint32_t)to->polygons.count,
 		.lod = lod,
-		.kind = own->kind,
+		.kind = kind,
 		.flags = TCS_GEOMETRY_SIMPLIFIED,
 	};
-	enum tcs_status status;
+}
 
-	if (own->lod == lod)
-		out.role = own->role;
-	if (own->shell_count)
-		status = simplify_shells(writer, source, own, lod, fault);
-	else
-		status = simplify_run(writer, source, own->first_polygon,
-			own->polygon_count, lod, fault);
-	out.shell_count = (uint32_t)to->shells.count - out.first_shell;
-	out.polygon_count = (uint32_t)to->polygons.count - out.first_polygon;
-	if (status || !out.polygon_count)
-		return status;
-	if (array_grow(&to->geometries, 1))
+static enum tcs_status
+set_homes(struct lod_writer *writer, unsigned lod, struct tcs_fault *fault)
+{
+	size_t count = writer->from->features.count;
+
+	array_clear(&writer->homes);
+	array_clear(&writer->solids);
+	if (array_grow(&writer->homes, count) ||
+		array_grow(&writer->solids, count))
 		return fault_memory(fault);
-	to->geometries.at[to->geometries.count++] = out;
+	writer->homes.count = writer->solids.count = count;
+	lod_homes_find(writer->from, lod, writer->homes.at);
+	for (size_t i = 0; i < count; i++)
+		writer->solids.at[i] = TCS_NONE;
 	return TCS_OK;
+}
+
+enum tcs_status
+lod_write_simplified(struct lod_writer *writer, const struct lod_source *source,
+	uint32_t geometry, struct tcs_fault *fault)
+{
+	const struct tcs_geometry *own = &writer->from->geometries.at[geometry];
+	struct tcs_geometry out =
+		begin_geometry(&writer->to, own->feature, own->kind, own->lod);
+	enum tcs_status status = set_homes(writer, TCS_LOD_NONE, fault);
+
+	out.role = own->role;
+	if (!status && own->shell_count)
+		status = simplify_shells(writer, source, own, own->lod, fault);
+	else if (!status)
+		status = simplify_run(writer, source, own->first_polygon,
+			own->polygon_count, own->lod, fault);
+	return status ? status : put_geometry(&writer->to, &out, fault);
+}
+
+/* ---- levels -------------------------------------------------------------- */
+
+static enum tcs_status
+write_solids(struct lod_writer *writer, const struct lod_source *source,
+	uint8_t lod, struct tcs_fault *fault)
+{
+	const struct tcs_object *from = writer->from;
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = 0; !status && i < from->geometries.count; i++) {
+		const struct tcs_geometry *own = &from->geometries.at[i];
+		uint32_t home = writer->homes.at[own->feature];
+		struct tcs_geometry out;
+
+		if (!source->selection.geometries.at[i] || !own->shell_count ||
+			writer->solids.at[home] != TCS_NONE)
+			continue;
+		writer->solids.at[home] = i;
+		out = begin_geometry(&writer->to, home, own->kind, lod);
+		status = simplify_shells(writer, source, own, lod, fault);
+		if (!status)
+			status = put_geometry(&writer->to, &out, fault);
+	}
+	return status;
+}
+
+/* What is of one geometry and not of an earlier one, too. */
+static enum tcs_status
+write_rest(struct lod_writer *writer, const struct lod_source *source,
+	const struct tcs_geometry *own, uint8_t lod, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = 0; !status && i < own->polygon_count; i++)
+		if (source->homes.at[own->first_polygon + i] ==
+			own->first_polygon + i)
+			status = simplify_polygon(writer, source,
+				own->first_polygon + i, lod, fault);
+	return status;
+}
+
+/* The geometries of one home that are not its solid. */
+static enum tcs_status
+write_surfaces(struct lod_writer *writer, const struct lod_source *source,
+	const struct home_use *uses, size_t count, uint8_t lod,
+	struct tcs_fault *fault)
+{
+	struct tcs_geometry out =
+		begin_geometry(&writer->to, uses->home, TCS_MULTI_SURFACE, lod);
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < count; i++) {
+		const struct tcs_geometry *own =
+			&writer->from->geometries.at[uses[i].geometry];
+
+		if (count == 1 && !own->shell_count)
+			out.kind = own->kind;
+		status = write_rest(writer, source, own, lod, fault);
+	}
+	return status ? status : put_geometry(&writer->to, &out, fault);
+}
+
+static int
+by_home(const void *left, const void *right)
+{
+	const struct home_use *a = left, *b = right;
+
+	if (a->home != b->home)
+		return a->home < b->home ? -1 : 1;
+	return (a->geometry > b->geometry) - (a->geometry < b->geometry);
+}
+
+static enum tcs_status
+list_uses(struct lod_writer *writer, const struct lod_source *source,
+	struct tcs_fault *fault)
+{
+	const struct tcs_object *from = writer->from;
+
+	array_clear(&writer->uses);
+	if (array_grow(&writer->uses, from->geometries.count))
+		return fault_memory(fault);
+	for (uint32_t i = 0; i < from->geometries.count; i++) {
+		uint32_t home =
+			writer->homes.at[from->geometries.at[i].feature];
+
+		if (source->selection.geometries.at[i] &&
+			writer->solids.at[home] != i)
+			writer->uses.at[writer->uses.count++] =
+				(struct home_use){home, i};
+	}
+	if (writer->uses.count > 0)
+		qsort(writer->uses.at, writer->uses.count,
+			sizeof *writer->uses.at, by_home);
+	return TCS_OK;
+}
+
+enum tcs_status
+lod_write_level(struct lod_writer *writer, const struct lod_source *source,
+	uint8_t lod, struct tcs_fault *fault)
+{
+	enum tcs_status status = set_homes(writer, lod, fault);
+	size_t run;
+
+	if (!status)
+		status = write_solids(writer, source, lod, fault);
+	if (!status)
+		status = list_uses(writer, source, fault);
+	for (size_t i = 0; !status && i < writer->uses.count; i += run) {
+		const struct home_use *uses = &writer->uses.at[i];
+
+		for (run = 1; i + run < writer->uses.count &&
+			uses[run].home == uses->home;
+			run++)
+			;
+		status = write_surfaces(writer, source, uses, run, lod, fault);
+	}
+	return status;
 }
 
 void
@@ -462,5 +613,8 @@ lod_write_release(struct lod_writer *writer)
 	array_release(&writer->faces);
 	array_release(&writer->first_faces);
 	array_release(&writer->nodes);
+	array_release(&writer->homes);
+	array_release(&writer->solids);
+	array_release(&writer->uses);
 	array_release(&writer->id);
 }

@@ -19,6 +19,11 @@ struct lod_face {
 	uint32_t vertices[3]; /* of the object */
 };
 
+/* A geometry of `from`, and the feature that has it at a level. */
+struct home_use {
+	uint32_t home, geometry;
+};
+
 /* All zero is empty; reused from object to object. */
 struct lod_writer {
 	const struct tcs_object *from; /* borrowed */
@@ -29,6 +34,11 @@ struct lod_writer {
 	TCS_ARRAY(struct lod_face) faces; /* by polygon */
 	TCS_ARRAY(uint32_t) first_faces; /* per polygon, and one more */
 	TCS_ARRAY(uint32_t) nodes; /* scratch: the vertex of each node */
+	TCS_ARRAY(uint32_t) homes; /* per feature: what has its geometry */
+	TCS_ARRAY(uint32_t)
+	solids; /* per feature: its geometry written as a
+	                               solid; TCS_NONE */
+	TCS_ARRAY(struct home_use) uses; /* scratch */
 	TCS_ARRAY(char) id; /* scratch */
 };
 
@@ -46,11 +56,21 @@ enum tcs_status lod_write_copy(struct lod_writer *writer, uint32_t geometry,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /*
- * Append what the faces taken last leave of a geometry of `from`, at a level:
- * nothing when there are none. Fails with TCS_NO_MEMORY, TCS_LIMIT.
+ * Append what the faces taken last leave of a geometry of `from`, in its
+ * place: nothing when there are none. Fails with TCS_NO_MEMORY, TCS_LIMIT.
  */
 enum tcs_status lod_write_simplified(struct lod_writer *writer,
-	const struct lod_source *source, uint32_t geometry, uint8_t lod,
+	const struct lod_source *source, uint32_t geometry,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Append a level: of the geometries that are simplified, what the faces taken
+ * last leave, gathered with the features that have geometry at that level (see
+ * lod_home.h): the first solid of each as a solid, the rest as surfaces, each
+ * polygon once. Fails with TCS_NO_MEMORY, TCS_LIMIT.
+ */
+enum tcs_status lod_write_level(struct lod_writer *writer,
+	const struct lod_source *source, uint8_t lod,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 void lod_write_release(struct lod_writer *writer);

@@ -95,17 +95,16 @@ write_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	const struct simplify_level *level, struct tcs_fault *fault)
 {
 	struct lod_writer *writer = &simplifier->writer;
-	enum tcs_status status = lod_write_faces(
-		writer, &simplifier->source, &simplifier->collapses, fault);
+	const struct lod_source *source = &simplifier->source;
+	enum tcs_status status =
+		lod_write_faces(writer, source, &simplifier->collapses, fault);
 
-	for (uint32_t i = 0; !status && i < in->geometries.count; i++) {
-		uint8_t lod = level->lod < 0 ? in->geometries.at[i].lod
-					     : (uint8_t)level->lod;
-
-		if (simplifier->source.selection.geometries.at[i])
-			status = lod_write_simplified(
-				writer, &simplifier->source, i, lod, fault);
-	}
+	if (!status && level->lod >= 0)
+		return lod_write_level(
+			writer, source, (uint8_t)level->lod, fault);
+	for (uint32_t i = 0; !status && i < in->geometries.count; i++)
+		if (source->selection.geometries.at[i])
+			status = lod_write_simplified(writer, source, i, fault);
 	return status;
 }
 
