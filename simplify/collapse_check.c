@@ -157,7 +157,7 @@ list_leaving(struct collapses *work, size_t count, uint32_t target,
 		if (array_grow(&work->leaving, 1))
 			return fault_memory(fault);
 		work->leaving.at[work->leaving.count++] =
-			surface_of(work, face);
+			work->features.at[face];
 	}
 	return TCS_OK;
 }
@@ -335,9 +335,10 @@ collapse_do(struct collapses *work, uint32_t node, uint32_t target,
 		faces = half_edges_collapse(work->mesh, half_edge, gone);
 		work->face_count -= faces;
 		for (size_t i = 0; i < faces; i++)
-			work->surfaces.at[surface_of(work, gone[i])]--;
+			work->surfaces.at[work->features.at[gone[i]]]--;
 	}
 	quadric_add(&work->quadrics.at[target], &work->quadrics.at[node]);
+	quadric_add(&work->borders.at[target], &work->borders.at[node]);
 	work->areas.at[target] += work->areas.at[node];
 	return TCS_OK;
 }

@@ -6,6 +6,9 @@
 /* 1 / |cos θ| is bounded: at this cosine a pull is straight out. */
 #define LEAST_COSINE 0.05
 
+/* Metres that a border between surfaces may move while it is kept. */
+#define BORDER_LIMIT 0.01
+
 /* A collapse that is free otherwise prefers the shorter edge. */
 #define SHORTNESS 1e-10
 
@@ -40,6 +43,20 @@ worst_sine(const struct collapses *work, uint32_t node, uint32_t target,
 	return worst;
 }
 
+/* What moving its borders costs: more than anything while they are kept. */
+static double
+border_cost(const struct collapses *work, uint32_t node, struct tcs_point to)
+{
+	const struct quadric *borders = &work->borders.at[node];
+	double cost = quadric_at(borders, to);
+	double weight = borders->xx + borders->yy + borders->zz;
+
+	if (!work->settings.loose &&
+		cost > BORDER_LIMIT * BORDER_LIMIT * weight)
+		return INFINITY;
+	return cost;
+}
+
 double
 collapse_cost(const struct collapses *work, uint32_t node, uint32_t target)
 {
@@ -48,9 +65,12 @@ collapse_cost(const struct collapses *work, uint32_t node, uint32_t target)
 		vector_difference(to, work->positions.at[node]);
 	double square = vector_dot(along, along), pull;
 	double cost = quadric_at(&work->quadrics.at[node], to) +
+		border_cost(work, node, to) +
 		SHORTNESS * work->areas.at[node] * square;
 
-	if (work->seams->nodes.at[node] == work->seams->nodes.at[node + 1] ||
+	if (!(cost < INFINITY) ||
+		work->seams->nodes.at[node] ==
+			work->seams->nodes.at[node + 1] ||
 		!(square > 0))
 		return cost;
 	/* `pull` is how far the vertex leaves the other component; it costs

@@ -5,25 +5,41 @@
 
 /* ---- beginning ----------------------------------------------------------- */
 
+/* How many of the faces that are left each feature has. */
 static enum tcs_status
 count_surfaces(struct collapses *work, struct tcs_fault *fault)
 {
+	uint32_t most = 0, corners[3];
+
+	for (size_t i = 0; i < work->features.count; i++)
+		if (work->features.at[i] > most)
+			most = work->features.at[i];
 	array_clear(&work->surfaces);
-	for (size_t i = 0; i < work->face_count; i++) {
-		uint32_t surface = surface_of(work, i);
-
-		if (surface >= work->surfaces.count) {
-			size_t more = surface + 1 - work->surfaces.count;
-
-			if (array_grow(&work->surfaces, more))
-				return fault_memory(fault);
-			memset(work->surfaces.at + work->surfaces.count, 0,
-				more * sizeof *work->surfaces.at);
-			work->surfaces.count += more;
-		}
-		work->surfaces.at[surface]++;
-	}
+	if (array_grow(&work->surfaces, (size_t)most + 1))
+		return fault_memory(fault);
+	work->surfaces.count = (size_t)most + 1;
+	memset(work->surfaces.at, 0,
+		work->surfaces.count * sizeof *work->surfaces.at);
+	for (uint32_t i = 0; i < work->features.count; i++)
+		if (half_edges_corners(work->mesh, i, corners))
+			work->surfaces.at[work->features.at[i]]++;
 	return TCS_OK;
+}
+
+/* The surface of every face, as it came. */
+static enum tcs_status
+copy_features(struct collapses *work, struct tcs_fault *fault)
+{
+	const struct sheets *sheets = work->sheets;
+
+	array_clear(&work->features);
+	if (array_grow(&work->features, work->face_count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < work->face_count; i++)
+		work->features.at[i] =
+			work->set->features.at[sheets->face_triangles.at[i]];
+	work->features.count = work->face_count;
+	return count_surfaces(work, fault);
 }
 
 static enum tcs_status
@@ -33,17 +49,19 @@ make_room(struct collapses *work, struct tcs_fault *fault)
 
 	array_clear(&work->positions);
 	array_clear(&work->quadrics);
+	array_clear(&work->borders);
 	array_clear(&work->areas);
 	array_clear(&work->targets);
 	array_clear(&work->normals);
 	if (array_grow(&work->positions, nodes) ||
 		array_grow(&work->quadrics, nodes) ||
+		array_grow(&work->borders, nodes) ||
 		array_grow(&work->areas, nodes) ||
 		array_grow(&work->targets, nodes) ||
 		array_grow(&work->normals, work->face_count))
 		return fault_memory(fault);
-	work->positions.count = work->quadrics.count = work->areas.count =
-		work->targets.count = nodes;
+	work->positions.count = work->quadrics.count = work->borders.count =
+		work->areas.count = work->targets.count = nodes;
 	work->normals.count = work->face_count;
 	return node_queue_reset(&work->queue, nodes, fault);
 }
@@ -69,10 +87,14 @@ static enum tcs_status
 add_candidate(struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_fault *fault)
 {
+	double cost = collapse_cost(work, node, target);
+
+	if (!(cost < INFINITY))
+		return TCS_OK;
 	if (array_grow(&work->candidates, 1))
 		return fault_memory(fault);
 	work->candidates.at[work->candidates.count++] =
-		(struct queue_entry){collapse_cost(work, node, target), target};
+		(struct queue_entry){cost, target};
 	return TCS_OK;
 }
 
@@ -244,8 +266,20 @@ collapses_resume(struct collapses *work,
 }
 
 enum tcs_status
+collapses_dissolve(
+	struct collapses *work, const uint32_t *homes, struct tcs_fault *fault)
+{
+	enum tcs_status status;
+
+	for (size_t i = 0; i < work->features.count; i++)
+		work->features.at[i] = homes[work->features.at[i]];
+	status = count_surfaces(work, fault);
+	return status ? status : collapses_weigh_borders(work, fault);
+}
+
+enum tcs_status
 collapses_begin(struct collapses *work, const struct component_set *set,
-	const struct sheets *sheets, struct seams *seams,
+	const struct sheets *sheets, struct seams *seams, const bool *leads,
 	const struct collapse_settings *settings, struct tcs_fault *fault)
 {
 	enum tcs_status status;
@@ -253,6 +287,7 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 	work->set = set;
 	work->sheets = sheets;
 	work->seams = seams;
+	work->leads = leads;
 	work->face_count = sheets->face_triangles.count;
 	half_edges_free(work->mesh);
 	work->mesh = NULL;
@@ -262,9 +297,11 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 	if (!status)
 		status = make_room(work, fault);
 	if (!status)
-		status = count_surfaces(work, fault);
-	if (!status)
-		collapses_weigh(work);
+		status = copy_features(work, fault);
+	if (status)
+		return status;
+	collapses_weigh(work);
+	status = collapses_weigh_borders(work, fault);
 	return status ? status : collapses_resume(work, settings, fault);
 }
 
@@ -287,9 +324,11 @@ collapses_release(struct collapses *work)
 	work->mesh = NULL;
 	array_release(&work->positions);
 	array_release(&work->quadrics);
+	array_release(&work->borders);
 	array_release(&work->areas);
 	array_release(&work->targets);
 	array_release(&work->normals);
+	array_release(&work->features);
 	array_release(&work->surfaces);
 	node_queue_release(&work->queue);
 	array_release(&work->spokes);

@@ -17,8 +17,8 @@
 struct collapse_settings {
 	double base_ratio; /* of the cost of moving a boundary vertex; >= 1 */
 	double least_cosine; /* of the angle a face may turn by, in all */
-	bool loose; /* seams may come open as long as one point holds, and
-	               surfaces may vanish */
+	bool loose; /* seams may come open as long as one point holds, borders
+	               between surfaces may move, surfaces may vanish */
 };
 
 /* All zero is empty; reused from object to object. */
@@ -26,15 +26,16 @@ struct collapses {
 	const struct component_set *set; /* borrowed */
 	const struct sheets *sheets; /* borrowed */
 	struct seams *seams; /* borrowed */
+	const bool *leads; /* borrowed; per feature: see collapses_begin */
 	struct half_edges *mesh;
 	struct collapse_settings settings;
 	TCS_ARRAY(struct tcs_point) positions; /* per node */
 	TCS_ARRAY(struct quadric) quadrics; /* per node */
-	TCS_ARRAY(double)
-	areas; /* per node: weight of its faces, square
-	                            metres */
+	TCS_ARRAY(struct quadric) borders; /* per node: of its surfaces */
+	TCS_ARRAY(double) areas; /* per node: of its faces, square metres */
 	TCS_ARRAY(uint32_t) targets; /* per node: the best; TCS_NONE */
 	TCS_ARRAY(struct tcs_point) normals; /* per face: at the beginning */
+	TCS_ARRAY(uint32_t) features; /* per face: its surface */
 	TCS_ARRAY(uint32_t) surfaces; /* per feature: its faces left */
 	size_t face_count; /* left */
 	struct node_queue queue;
@@ -48,11 +49,15 @@ struct collapses {
 
 /*
  * Begin with the whole mesh of a set split into sheets; seams as found there.
- * All are borrowed, the seams change. Fails with TCS_NO_MEMORY, TCS_LIMIT.
+ * A feature that leads decides where its border with one that does not is:
+ * a window in a wall keeps its outline, but may come forward or go back with
+ * the wall. All are borrowed, the seams change. Fails with TCS_NO_MEMORY,
+ * TCS_LIMIT.
  */
 enum tcs_status collapses_begin(struct collapses *work,
 	const struct component_set *set, const struct sheets *sheets,
-	struct seams *seams, const struct collapse_settings *settings,
+	struct seams *seams, const bool *leads,
+	const struct collapse_settings *settings,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /*
@@ -67,6 +72,14 @@ enum tcs_status collapses_run(struct collapses *work, size_t faces,
 enum tcs_status collapses_resume(struct collapses *work,
 	const struct collapse_settings *settings,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Give the faces of feature i to feature homes[i]: borders between surfaces
+ * that become one are no longer kept. `collapses_resume` makes it count. Fails
+ * with TCS_NO_MEMORY.
+ */
+enum tcs_status collapses_dissolve(struct collapses *work,
+	const uint32_t *homes, struct tcs_fault *fault) TCS_CHECKED;
 
 /* The nodes of a face that is left; false when it is gone. */
 bool collapses_face(
@@ -86,7 +99,8 @@ node_of(const struct collapses *work, uint32_t vertex)
 enum tcs_status spokes_of(struct collapses *work, uint32_t vertex,
 	size_t *count, struct tcs_fault *fault) TCS_CHECKED;
 
-/* What moving a node into another costs: square metres times area. */
+/* What moving a node into another costs, square metres times area; INFINITY
+   where it may not be. */
 double collapse_cost(
 	const struct collapses *work, uint32_t node, uint32_t target);
 
@@ -101,14 +115,12 @@ enum tcs_status collapse_check(struct collapses *work, uint32_t node,
 enum tcs_status collapse_do(struct collapses *work, uint32_t node,
 	uint32_t target, struct tcs_fault *fault) TCS_CHECKED;
 
-/* The feature of a face. */
-static inline uint32_t
-surface_of(const struct collapses *work, size_t face)
-{
-	return work->set->features.at[work->sheets->face_triangles.at[face]];
-}
-
 /* Fill positions, normals, quadrics and areas. */
 void collapses_weigh(struct collapses *work);
+
+/* Fill the quadrics of the borders between surfaces. Fails with
+   TCS_NO_MEMORY. */
+enum tcs_status collapses_weigh_borders(
+	struct collapses *work, struct tcs_fault *fault) TCS_CHECKED;
 
 #endif

@@ -1,7 +1,8 @@
 /*
  * What a node must not leave: the planes of its faces, and at features, which
  * are open edges, sharp edges and borders between surfaces, planes through the
- * edge across its face.
+ * edge across its face. Those of borders stand apart, for the
+ * surfaces may become one.
  *
  * source: L, feature edges and their penalties (Liu, Li, Zhao, Liu, Texture
  * feature preserving simplification); M. Garland, P. Heckbert, 1997, boundary
@@ -51,6 +52,13 @@ add_face(struct collapses *work, size_t face)
 	}
 }
 
+static bool
+is_sharp(const struct collapses *work, size_t face, size_t other)
+{
+	return vector_dot(work->normals.at[face], work->normals.at[other]) <
+		SHARP_COSINE;
+}
+
 /* 0 where the edge is nothing to keep. */
 static double
 penalty_of(const struct collapses *work, size_t corner)
@@ -59,11 +67,7 @@ penalty_of(const struct collapses *work, size_t corner)
 
 	if (back == HALF_EDGE_NONE)
 		return OPEN_PENALTY;
-	if (surface_of(work, corner / 3) != surface_of(work, back / 3) ||
-		vector_dot(work->normals.at[corner / 3],
-			work->normals.at[back / 3]) < SHARP_COSINE)
-		return LINE_PENALTY;
-	return 0;
+	return is_sharp(work, corner / 3, back / 3) ? LINE_PENALTY : 0;
 }
 
 static void
@@ -86,6 +90,55 @@ add_edge(struct collapses *work, size_t corner)
 		quadric_add_plane(&work->quadrics.at[ends[i]], across,
 			-vector_dot(across, from),
 			penalty * vector_dot(along, along));
+}
+
+/* What a border between surfaces adds at one of its ends: a plane across the
+   face of the one that leads, or across both. */
+static void
+add_border(struct collapses *work, uint32_t node, const struct spoke *spoke,
+	uint32_t other)
+{
+	struct tcs_point from = work->positions.at[node];
+	uint32_t faces[2] = {spoke->face, other};
+	struct tcs_point along;
+	bool leads[2];
+
+	if (spoke->face == HALF_EDGE_NONE || other == HALF_EDGE_NONE ||
+		work->features.at[spoke->face] == work->features.at[other])
+		return;
+	along = vector_difference(
+		work->positions.at[node_of(work, spoke->to)], from);
+	for (int i = 0; i < 2; i++)
+		leads[i] = work->leads[work->features.at[faces[i]]];
+	for (int i = 0; i < 2; i++) {
+		struct tcs_point across =
+			unit(vector_cross(along, work->normals.at[faces[i]]));
+
+		if (leads[1 - i] && !leads[i])
+			continue;
+		quadric_add_plane(&work->borders.at[node], across,
+			-vector_dot(across, from),
+			LINE_PENALTY * vector_dot(along, along));
+	}
+}
+
+enum tcs_status
+collapses_weigh_borders(struct collapses *work, struct tcs_fault *fault)
+{
+	size_t vertices = work->sheets->vertex_nodes.count, count;
+
+	for (size_t i = 0; i < work->sheets->node_count; i++)
+		work->borders.at[i] = (struct quadric){0};
+	for (uint32_t v = 0; v < vertices; v++) {
+		enum tcs_status status = spokes_of(work, v, &count, fault);
+
+		if (status)
+			return status;
+		for (size_t i = 0; i < count; i++)
+			add_border(work, node_of(work, v), &work->spokes.at[i],
+				work->spokes.at[i ? i - 1 : count - 1].face);
+	}
+	return TCS_OK;
 }
 
 void

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lod_home.h"
 #include "texture_plane.h"
 
 /* Points an empty-handed copy at the elements of another array. */
@@ -126,6 +125,7 @@ lod_write_faces(struct lod_writer *writer, const struct lod_source *source,
 			continue;
 		face->triangle = work->sheets->face_triangles.at[i];
 		face->polygon = source->polygons.at[face->triangle];
+		face->surface = work->features.at[i];
 		for (int k = 0; k < 3; k++)
 			face->vertices[k] = writer->nodes.at[nodes[k]];
 		writer->faces.count++;
@@ -339,7 +339,7 @@ simplify_polygon(struct lod_writer *writer, const struct lod_source *source,
 
 	for (uint32_t i = first; !status && i < end; i++) {
 		struct tcs_polygon like = {
-			.surface = writer->homes.at[own->surface],
+			.surface = writer->homes[writer->faces.at[i].surface],
 			.vertex_count = 3,
 			.triangle_count = 1,
 			.flags = own->flags & TCS_POLYGON_SHARED,
@@ -450,61 +450,49 @@ begin_geometry(const struct tcs_object *to, uint32_t feature, uint8_t kind,
 	};
 }
 
+/* ---- levels -------------------------------------------------------------- */
+
 static enum tcs_status
-set_homes(struct lod_writer *writer, unsigned lod, struct tcs_fault *fault)
+clear_solids(struct lod_writer *writer, struct tcs_fault *fault)
 {
 	size_t count = writer->from->features.count;
 
-	array_clear(&writer->homes);
 	array_clear(&writer->solids);
-	if (array_grow(&writer->homes, count) ||
-		array_grow(&writer->solids, count))
+	if (array_grow(&writer->solids, count))
 		return fault_memory(fault);
-	writer->homes.count = writer->solids.count = count;
-	lod_homes_find(writer->from, lod, writer->homes.at);
+	writer->solids.count = count;
 	for (size_t i = 0; i < count; i++)
 		writer->solids.at[i] = TCS_NONE;
 	return TCS_OK;
 }
 
-enum tcs_status
-lod_write_simplified(struct lod_writer *writer, const struct lod_source *source,
-	uint32_t geometry, struct tcs_fault *fault)
+static uint8_t
+level_of(const struct tcs_geometry *own, int lod)
 {
-	const struct tcs_geometry *own = &writer->from->geometries.at[geometry];
-	struct tcs_geometry out =
-		begin_geometry(&writer->to, own->feature, own->kind, own->lod);
-	enum tcs_status status = set_homes(writer, TCS_LOD_NONE, fault);
-
-	out.role = own->role;
-	if (!status && own->shell_count)
-		status = simplify_shells(writer, source, own, own->lod, fault);
-	else if (!status)
-		status = simplify_run(writer, source, own->first_polygon,
-			own->polygon_count, own->lod, fault);
-	return status ? status : put_geometry(&writer->to, &out, fault);
+	return lod == LOD_IN_PLACE ? own->lod : (uint8_t)lod;
 }
-
-/* ---- levels -------------------------------------------------------------- */
 
 static enum tcs_status
 write_solids(struct lod_writer *writer, const struct lod_source *source,
-	uint8_t lod, struct tcs_fault *fault)
+	int lod, struct tcs_fault *fault)
 {
 	const struct tcs_object *from = writer->from;
 	enum tcs_status status = TCS_OK;
 
 	for (uint32_t i = 0; !status && i < from->geometries.count; i++) {
 		const struct tcs_geometry *own = &from->geometries.at[i];
-		uint32_t home = writer->homes.at[own->feature];
+		uint32_t home = writer->homes[own->feature];
 		struct tcs_geometry out;
 
 		if (!source->selection.geometries.at[i] || !own->shell_count ||
 			writer->solids.at[home] != TCS_NONE)
 			continue;
 		writer->solids.at[home] = i;
-		out = begin_geometry(&writer->to, home, own->kind, lod);
-		status = simplify_shells(writer, source, own, lod, fault);
+		out = begin_geometry(
+			&writer->to, home, own->kind, level_of(own, lod));
+		if (lod == LOD_IN_PLACE)
+			out.role = own->role;
+		status = simplify_shells(writer, source, own, out.lod, fault);
 		if (!status)
 			status = put_geometry(&writer->to, &out, fault);
 	}
@@ -529,21 +517,23 @@ write_rest(struct lod_writer *writer, const struct lod_source *source,
 /* The geometries of one home that are not its solid. */
 static enum tcs_status
 write_surfaces(struct lod_writer *writer, const struct lod_source *source,
-	const struct home_use *uses, size_t count, uint8_t lod,
+	const struct home_use *uses, size_t count, int lod,
 	struct tcs_fault *fault)
 {
-	struct tcs_geometry out =
-		begin_geometry(&writer->to, uses->home, TCS_MULTI_SURFACE, lod);
+	const struct tcs_geometry *own =
+		&writer->from->geometries.at[uses->geometry];
+	struct tcs_geometry out = begin_geometry(
+		&writer->to, uses->home, TCS_MULTI_SURFACE, level_of(own, lod));
 	enum tcs_status status = TCS_OK;
 
-	for (size_t i = 0; !status && i < count; i++) {
-		const struct tcs_geometry *own =
-			&writer->from->geometries.at[uses[i].geometry];
-
-		if (count == 1 && !own->shell_count)
-			out.kind = own->kind;
-		status = write_rest(writer, source, own, lod, fault);
-	}
+	if (count == 1 && !own->shell_count)
+		out.kind = own->kind;
+	if (count == 1 && lod == LOD_IN_PLACE)
+		out.role = own->role;
+	for (size_t i = 0; !status && i < count; i++)
+		status = write_rest(writer, source,
+			&writer->from->geometries.at[uses[i].geometry], out.lod,
+			fault);
 	return status ? status : put_geometry(&writer->to, &out, fault);
 }
 
@@ -567,8 +557,7 @@ list_uses(struct lod_writer *writer, const struct lod_source *source,
 	if (array_grow(&writer->uses, from->geometries.count))
 		return fault_memory(fault);
 	for (uint32_t i = 0; i < from->geometries.count; i++) {
-		uint32_t home =
-			writer->homes.at[from->geometries.at[i].feature];
+		uint32_t home = writer->homes[from->geometries.at[i].feature];
 
 		if (source->selection.geometries.at[i] &&
 			writer->solids.at[home] != i)
@@ -583,11 +572,12 @@ list_uses(struct lod_writer *writer, const struct lod_source *source,
 
 enum tcs_status
 lod_write_level(struct lod_writer *writer, const struct lod_source *source,
-	uint8_t lod, struct tcs_fault *fault)
+	const uint32_t *homes, int lod, struct tcs_fault *fault)
 {
-	enum tcs_status status = set_homes(writer, lod, fault);
+	enum tcs_status status = clear_solids(writer, fault);
 	size_t run;
 
+	writer->homes = homes;
 	if (!status)
 		status = write_solids(writer, source, lod, fault);
 	if (!status)
@@ -613,7 +603,6 @@ lod_write_release(struct lod_writer *writer)
 	array_release(&writer->faces);
 	array_release(&writer->first_faces);
 	array_release(&writer->nodes);
-	array_release(&writer->homes);
 	array_release(&writer->solids);
 	array_release(&writer->uses);
 	array_release(&writer->id);

@@ -16,6 +16,7 @@
 struct lod_face {
 	uint32_t polygon; /* of the object; that of the old triangle */
 	uint32_t triangle; /* of the source: the old one */
+	uint32_t surface; /* feature */
 	uint32_t vertices[3]; /* of the object */
 };
 
@@ -34,7 +35,7 @@ struct lod_writer {
 	TCS_ARRAY(struct lod_face) faces; /* by polygon */
 	TCS_ARRAY(uint32_t) first_faces; /* per polygon, and one more */
 	TCS_ARRAY(uint32_t) nodes; /* scratch: the vertex of each node */
-	TCS_ARRAY(uint32_t) homes; /* per feature: what has its geometry */
+	const uint32_t *homes; /* as lod_write_level got them */
 	TCS_ARRAY(uint32_t)
 	solids; /* per feature: its geometry written as a
 	                               solid; TCS_NONE */
@@ -56,21 +57,15 @@ enum tcs_status lod_write_copy(struct lod_writer *writer, uint32_t geometry,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /*
- * Append what the faces taken last leave of a geometry of `from`, in its
- * place: nothing when there are none. Fails with TCS_NO_MEMORY, TCS_LIMIT.
- */
-enum tcs_status lod_write_simplified(struct lod_writer *writer,
-	const struct lod_source *source, uint32_t geometry,
-	struct tcs_fault *fault) TCS_CHECKED;
-
-/*
  * Append a level: of the geometries that are simplified, what the faces taken
- * last leave, gathered with the features that have geometry at that level (see
- * lod_home.h): the first solid of each as a solid, the rest as surfaces, each
- * polygon once. Fails with TCS_NO_MEMORY, TCS_LIMIT.
+ * last leave, gathered with the features that have it now, homes[i] for what
+ * feature i had: the first solid of each as a solid, the rest as surfaces, each
+ * polygon once. LOD_IN_PLACE keeps the level that each geometry had. Fails
+ * with TCS_NO_MEMORY, TCS_LIMIT.
  */
+#define LOD_IN_PLACE (-1)
 enum tcs_status lod_write_level(struct lod_writer *writer,
-	const struct lod_source *source, uint8_t lod,
+	const struct lod_source *source, const uint32_t *homes, int lod,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 void lod_write_release(struct lod_writer *writer);

@@ -2,9 +2,14 @@
 
 #include <math.h>
 
+#include "lod_home.h"
+
 /* How far faces may turn, and once that is all, to come to the rate. */
 #define LEAST_COSINE 0.5
 #define LAST_COSINE 0.1
+
+/* In so many steps openings are dissolved. */
+#define OPENING_BATCHES 16
 
 /* Short of the rate by more than this is worth a word. */
 #define RATE_TOLERANCE 0.01
@@ -17,10 +22,14 @@ prepare(struct object_simplifier *simplifier,
 	const struct component_set *set = &simplifier->source.set;
 	const struct collapse_settings first = {
 		settings->base_ratio, LEAST_COSINE, false};
+	enum tcs_status status;
 	double reach;
-	enum tcs_status status = lod_source_load(&simplifier->source, in,
-		settings->source, &settings->crs, fault);
 
+	status = lod_source_load(&simplifier->source, in, settings->source,
+		&settings->crs, fault);
+
+	if (!status)
+		status = openings_find(&simplifier->openings, in, set, fault);
 	if (!status)
 		status = sheets_build(&simplifier->sheets, set, fault);
 	if (status)
@@ -33,28 +42,71 @@ prepare(struct object_simplifier *simplifier,
 				&simplifier->contacts, reach, fault);
 	if (!status)
 		status = collapses_begin(&simplifier->collapses, set,
-			&simplifier->sheets, &simplifier->seams, &first, fault);
+			&simplifier->sheets, &simplifier->seams,
+			simplifier->openings.are.at, &first, fault);
 	return status;
 }
 
-/* Collapse down to a level: first as it should be, then as it can be. */
+/* ---- down to a level ----------------------------------------------------- */
+
+/* Doors and windows become part of their walls; false when none is left. */
 static enum tcs_status
-reach_level(struct object_simplifier *simplifier,
-	const struct simplify_settings *settings, double rate,
+dissolve_openings(struct object_simplifier *simplifier, size_t count, bool *any,
 	struct tcs_fault *fault)
 {
-	struct collapses *collapses = &simplifier->collapses;
+	struct collapses *work = &simplifier->collapses;
+	enum tcs_status status;
+
+	*any = openings_dissolve(&simplifier->openings, count);
+	if (!*any)
+		return TCS_OK;
+	status = collapses_dissolve(work, simplifier->openings.homes.at, fault);
+	return status ? status : collapses_resume(work, &work->settings, fault);
+}
+
+/* Collapse, and dissolve more and more openings until that is enough. */
+static enum tcs_status
+collapse_walls(struct object_simplifier *simplifier, size_t target,
+	struct tcs_fault *fault)
+{
+	struct collapses *work = &simplifier->collapses;
+	size_t batch = simplifier->openings.by_area.count / OPENING_BATCHES + 1;
+	bool any = true;
+	enum tcs_status status = collapses_run(work, target, fault);
+
+	while (!status && any && work->face_count > target) {
+		status = dissolve_openings(simplifier, batch, &any, fault);
+		if (!status)
+			status = collapses_run(work, target, fault);
+	}
+	return status;
+}
+
+/*
+ * Collapse down to a level. What does not come so far goes on without the
+ * smaller of its openings, and then as far as it can be brought without
+ * falling apart.
+ */
+static enum tcs_status
+reach_level(struct object_simplifier *simplifier,
+	const struct simplify_settings *settings,
+	const struct simplify_level *level, struct tcs_fault *fault)
+{
+	struct collapses *work = &simplifier->collapses;
 	const struct collapse_settings last = {
 		settings->base_ratio, LAST_COSINE, true};
 	double faces = (double)simplifier->source.set.triangles.count;
-	size_t target = (size_t)ceil(faces * (1 - rate));
-	enum tcs_status status = collapses_run(collapses, target, fault);
+	size_t target = (size_t)ceil(faces * (1 - level->rate));
+	enum tcs_status status = TCS_OK;
+	bool any;
 
-	if (!status && collapses->face_count > target)
-		status = collapses_resume(collapses, &last, fault);
+	if (level->lod != LOD_IN_PLACE && level->lod <= 2)
+		status = dissolve_openings(simplifier, SIZE_MAX, &any, fault);
 	if (!status)
-		status = collapses_run(collapses, target, fault);
-	return status;
+		status = collapse_walls(simplifier, target, fault);
+	if (!status && work->face_count > target && !work->settings.loose)
+		status = collapses_resume(work, &last, fault);
+	return status ? status : collapses_run(work, target, fault);
 }
 
 static enum tcs_status
@@ -81,7 +133,7 @@ is_replaced(const struct object_simplifier *simplifier,
 	const struct tcs_geometry *own = &in->geometries.at[geometry];
 
 	for (size_t i = 0; i < settings->level_count; i++)
-		if (settings->levels[i].lod < 0
+		if (settings->levels[i].lod == LOD_IN_PLACE
 				? simplifier->source.selection.geometries
 					  .at[geometry]
 				: settings->levels[i].lod == own->lod &&
@@ -90,21 +142,39 @@ is_replaced(const struct object_simplifier *simplifier,
 	return false;
 }
 
+/* Which feature has what of another one at a level, as far as openings are
+   concerned, too. */
+static enum tcs_status
+find_homes(struct object_simplifier *simplifier, const struct tcs_object *in,
+	int lod, struct tcs_fault *fault)
+{
+	const struct openings *openings = &simplifier->openings;
+
+	array_clear(&simplifier->homes);
+	if (array_grow(&simplifier->homes, in->features.count))
+		return fault_memory(fault);
+	simplifier->homes.count = in->features.count;
+	lod_homes_find(in, lod == LOD_IN_PLACE ? TCS_LOD_NONE : (unsigned)lod,
+		simplifier->homes.at);
+	for (size_t i = 0; i < in->features.count; i++)
+		if (simplifier->homes.at[i] == i)
+			simplifier->homes.at[i] = openings->homes.at[i];
+	return TCS_OK;
+}
+
 static enum tcs_status
 write_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	const struct simplify_level *level, struct tcs_fault *fault)
 {
-	struct lod_writer *writer = &simplifier->writer;
-	const struct lod_source *source = &simplifier->source;
-	enum tcs_status status =
-		lod_write_faces(writer, source, &simplifier->collapses, fault);
+	enum tcs_status status = lod_write_faces(&simplifier->writer,
+		&simplifier->source, &simplifier->collapses, fault);
 
-	if (!status && level->lod >= 0)
-		return lod_write_level(
-			writer, source, (uint8_t)level->lod, fault);
-	for (uint32_t i = 0; !status && i < in->geometries.count; i++)
-		if (source->selection.geometries.at[i])
-			status = lod_write_simplified(writer, source, i, fault);
+	if (!status)
+		status = find_homes(simplifier, in, level->lod, fault);
+	if (!status)
+		status = lod_write_level(&simplifier->writer,
+			&simplifier->source, simplifier->homes.at, level->lod,
+			fault);
 	return status;
 }
 
@@ -139,7 +209,7 @@ simplify_object(struct object_simplifier *simplifier,
 	for (size_t i = 0; !status && i < settings->level_count; i++) {
 		const struct simplify_level *level = &settings->levels[i];
 
-		status = reach_level(simplifier, settings, level->rate, fault);
+		status = reach_level(simplifier, settings, level, fault);
 		if (!status)
 			status = write_level(simplifier, in, level, fault);
 		if (!status)
@@ -161,4 +231,6 @@ object_simplifier_release(struct object_simplifier *simplifier)
 	seams_release(&simplifier->seams);
 	collapses_release(&simplifier->collapses);
 	lod_write_release(&simplifier->writer);
+	openings_release(&simplifier->openings);
+	array_release(&simplifier->homes);
 }

@@ -9,13 +9,14 @@
 #include "collapses.h"
 #include "lod_source.h"
 #include "lod_write.h"
+#include "openings.h"
 #include "report.h"
 
 enum { SIMPLIFY_LEVELS = 8 };
 
 struct simplify_level {
 	double rate; /* of triangles removed, 0 to 1 */
-	int lod; /* 0…4; -1: in the place of what is simplified */
+	int lod; /* 0…4, or LOD_IN_PLACE */
 };
 
 struct simplify_settings {
@@ -34,6 +35,8 @@ struct object_simplifier {
 	struct seams seams;
 	struct collapses collapses;
 	struct lod_writer writer;
+	struct openings openings;
+	TCS_ARRAY(uint32_t) homes; /* see lod_home.h */
 };
 
 /*

@@ -233,7 +233,8 @@ settle_levels(const struct command *command, struct options *options)
 	if (!settings->level_count)
 		settings->levels[settings->level_count++] =
 			(struct simplify_level){
-				options->rate >= 0 ? options->rate : 0.5, -1};
+				options->rate >= 0 ? options->rate : 0.5,
+				LOD_IN_PLACE};
 	qsort(settings->levels, settings->level_count, sizeof *settings->levels,
 		by_rate);
 }

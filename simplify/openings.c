@@ -1,0 +1,93 @@
+#include "openings.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "lod_home.h"
+
+/* The level at which walls have no openings. */
+#define WALLS_ONLY 2
+
+static int
+by_area(const void *left, const void *right)
+{
+	const struct opening *a = left, *b = right;
+
+	if (a->area < b->area || b->area < a->area)
+		return a->area < b->area ? -1 : 1;
+	return (a->feature > b->feature) - (a->feature < b->feature);
+}
+
+static enum tcs_status
+list(struct openings *openings, const struct tcs_object *object,
+	const double *areas, struct tcs_fault *fault)
+{
+	size_t count = object->features.count;
+
+	if (array_grow(&openings->by_area, count) ||
+		array_grow(&openings->homes, count) ||
+		array_grow(&openings->are, count))
+		return fault_memory(fault);
+	openings->homes.count = openings->are.count = count;
+	lod_homes_find(object, WALLS_ONLY, openings->homes.at);
+	for (uint32_t i = 0; i < count; i++) {
+		uint32_t wall = openings->homes.at[i];
+
+		openings->are.at[i] = wall != i;
+		if (wall != i && areas[i] > 0)
+			openings->by_area.at[openings->by_area.count++] =
+				(struct opening){areas[i], i, wall};
+	}
+	for (uint32_t i = 0; i < count; i++)
+		openings->homes.at[i] = i;
+	if (openings->by_area.count > 0)
+		qsort(openings->by_area.at, openings->by_area.count,
+			sizeof *openings->by_area.at, by_area);
+	return TCS_OK;
+}
+
+enum tcs_status
+openings_find(struct openings *openings, const struct tcs_object *object,
+	const struct component_set *set, struct tcs_fault *fault)
+{
+	double *areas = calloc(object->features.count + 1, sizeof *areas);
+	enum tcs_status status;
+
+	array_clear(&openings->by_area);
+	array_clear(&openings->homes);
+	array_clear(&openings->are);
+	openings->dissolved = 0;
+	if (!areas)
+		return fault_memory(fault);
+	for (size_t i = 0; i < set->triangles.count; i++) {
+		struct triangle_shape shape = component_set_shape(set, i);
+
+		areas[set->features.at[i]] += triangle_area(&shape);
+	}
+	status = list(openings, object, areas, fault);
+	free(areas);
+	return status;
+}
+
+bool
+openings_dissolve(struct openings *openings, size_t count)
+{
+	if (openings->dissolved == openings->by_area.count)
+		return false;
+	for (; count > 0 && openings->dissolved < openings->by_area.count;
+		count--) {
+		const struct opening *next =
+			&openings->by_area.at[openings->dissolved++];
+
+		openings->homes.at[next->feature] = next->wall;
+	}
+	return true;
+}
+
+void
+openings_release(struct openings *openings)
+{
+	array_release(&openings->by_area);
+	array_release(&openings->homes);
+	array_release(&openings->are);
+}
