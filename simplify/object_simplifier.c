@@ -117,7 +117,7 @@ report_level(const struct object_simplifier *simplifier,
 	double before = (double)simplifier->source.set.triangles.count;
 	double after = (double)simplifier->collapses.face_count;
 
-	if (!before || 1 - after / before >= level->rate - RATE_TOLERANCE)
+	if (!(before > 0) || 1 - after / before >= level->rate - RATE_TOLERANCE)
 		return TCS_OK;
 	return report_item(report, REPORT_NOTE, "object",
 		"short of its rate: no collapse is left that keeps it whole",
