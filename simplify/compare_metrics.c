@@ -105,6 +105,16 @@ metrics_print_json(const struct compare_metrics *metrics, FILE *to)
 	}
 }
 
+void
+metrics_print_html(const struct compare_metrics *metrics, FILE *to)
+{
+	for (int i = 0; i < COMPARE_METRIC_COUNT; i++) {
+		fprintf(to, "<tr><th>%s<td>", rows[i].name);
+		print_rounded(metrics->at[i], rows[i].decimals, to);
+		putc('\n', to);
+	}
+}
+
 static void
 print_distances(
 	const struct compare_metrics *m, const char *label, int first, FILE *to)

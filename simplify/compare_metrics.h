@@ -96,6 +96,9 @@ double metrics_rate(const struct compare_metrics *metrics);
    are the stream's. */
 void metrics_print_json(const struct compare_metrics *metrics, FILE *to);
 
+/* A row of an HTML table for each. */
+void metrics_print_html(const struct compare_metrics *metrics, FILE *to);
+
 /* A few lines for people, without unknown values and zeros nobody needs. */
 void metrics_print(const struct compare_metrics *metrics, FILE *to);
 

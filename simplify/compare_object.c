@@ -217,6 +217,18 @@ compare_sides(struct comparer *comparer, double eps,
 	return measure_distances(comparer, fmin(eps / 10, 0.001), at, fault);
 }
 
+/* By more than rounding, so that there is something to draw. */
+static bool
+differs(const struct compare_result *result)
+{
+	const double *at = result->metrics.at;
+
+	return at[COMPARE_TRIANGLES_BEFORE] > 0 &&
+		!(at[COMPARE_THERE_MAX] < 1e-6 && at[COMPARE_BACK_MAX] < 1e-6 &&
+			result->broken.count == 0 &&
+			at[COMPARE_COMPONENTS_FLIPPED] <= 0);
+}
+
 enum tcs_status
 compare_objects(struct comparer *comparer,
 	const struct compare_settings *settings,
@@ -230,6 +242,8 @@ compare_objects(struct comparer *comparer,
 	result->broken.count = 0;
 	result->features.count = 0;
 	result->lost.count = 0;
+	for (int i = 0; i < PICTURE_COUNT; i++)
+		array_clear(&result->pictures.png[i]);
 	status = load_sides(comparer, settings, before, after, fault);
 	if (status)
 		return status;
@@ -243,6 +257,11 @@ compare_objects(struct comparer *comparer,
 		status = compare_views(&comparer->before, &comparer->after,
 			&comparer->match, settings->pixels, &comparer->pictures,
 			&result->metrics, fault);
+	if (!status && settings->pictures && differs(result))
+		status = object_pictures_draw(&comparer->before,
+			&comparer->after,
+			(const struct tcs_object *[]){before, after}, 4 * eps,
+			&result->pictures, fault);
 	return status;
 }
 
@@ -261,4 +280,5 @@ compare_result_release(struct compare_result *result)
 	array_release(&result->broken);
 	array_release(&result->features);
 	array_release(&result->lost);
+	object_pictures_release(&result->pictures);
 }

@@ -5,13 +5,14 @@
 #define TESSERA_COMPARE_OBJECT_H
 
 #include "compare_contacts.h"
-#include "compare_views.h"
+#include "compare_picture.h"
 
 struct compare_settings {
 	struct tcs_crs crs[2];
 	int lods[2]; /* see lod_select.h */
 	double eps; /* metres; 0: contact_reach */
 	unsigned pixels; /* width and height of a picture; 0: none */
+	bool pictures; /* draw the objects that differ */
 	unsigned jobs; /* threads to use for one large object; 0 is 1 */
 };
 
@@ -28,6 +29,7 @@ struct compare_result {
 	struct broken_list broken;
 	TCS_ARRAY(uint32_t) features; /* two per broken contact: of before */
 	TCS_ARRAY(uint32_t) lost; /* surfaces of before that vanished */
+	struct object_pictures pictures; /* empty without difference */
 };
 
 /*

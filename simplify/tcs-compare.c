@@ -1,6 +1,7 @@
 /* tcs-compare: how one stream differs from another, or one LOD from another. */
 #include <stdlib.h>
 
+#include "compare_html.h"
 #include "compare_pairs.h"
 #include "compare_print.h"
 #include "crew.h"
@@ -12,7 +13,7 @@
 struct options {
 	struct compare_settings settings;
 	uint64_t max_record;
-	bool json;
+	bool json, html;
 };
 
 /* A pair of objects on its way to the report. */
@@ -30,6 +31,7 @@ struct run {
 	struct item *items;
 	size_t item_count;
 	struct compare_totals totals;
+	struct gallery gallery;
 	struct progress progress;
 };
 
@@ -66,17 +68,34 @@ compare_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
 }
 
 static enum tcs_status
+print_item(struct run *run, struct item *item, struct tcs_fault *fault)
+{
+	const struct compare_totals *totals = &run->totals;
+	bool first = !totals->pairs && !totals->lost && !totals->added;
+	const struct tcs_object *before =
+		item->pair[0] ? &item->pair[0]->object : NULL;
+	const struct tcs_object *after =
+		item->pair[1] ? &item->pair[1]->object : NULL;
+
+	if (!run->options->html) {
+		compare_print_object(&item->result, before, after,
+			run->options->json, first, run->out.file);
+		return TCS_OK;
+	}
+	html_print_object(&item->result, before, after, run->out.file);
+	return before
+		? gallery_take(&run->gallery, &item->result, before, fault)
+		: TCS_OK;
+}
+
+static enum tcs_status
 write_item(void *context, void *slot, struct tcs_fault *fault)
 {
 	struct run *run = context;
 	struct item *item = slot;
 	struct compare_totals *totals = &run->totals;
-	bool first = !totals->pairs && !totals->lost && !totals->added;
+	enum tcs_status status = print_item(run, item, fault);
 
-	compare_print_object(&item->result,
-		item->pair[0] ? &item->pair[0]->object : NULL,
-		item->pair[1] ? &item->pair[1]->object : NULL,
-		run->options->json, first, run->out.file);
 	totals->pairs += item->pair[0] && item->pair[1];
 	totals->lost += !item->pair[1];
 	totals->added += !item->pair[0];
@@ -84,10 +103,10 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	clear_item(item);
 	progress_show(&run->progress,
 		totals->pairs + totals->lost + totals->added, 0, 0);
-	if (ferror(run->out.file))
+	if (!status && ferror(run->out.file))
 		return fault_system(fault, "cannot write",
 			run->out.name ? run->out.name : "standard output");
-	return TCS_OK;
+	return status;
 }
 
 /* Metres of the one must be metres of the other. */
@@ -113,6 +132,7 @@ open_run(struct run *run, const struct command *command,
 	run->options = options;
 	run->settings = options->settings;
 	run->settings.jobs = command->jobs;
+	run->settings.pictures = options->html;
 	run->item_count = crew_slots(command->jobs);
 	run->items = calloc(run->item_count, sizeof *run->items);
 	run->comparers = calloc(command->jobs, sizeof *run->comparers);
@@ -145,13 +165,21 @@ compare(struct run *run, const struct command *command,
 		return status;
 	progress_begin(&run->progress, command->program->name, "objects",
 		command->quiet);
-	compare_print_begin(options->json, run->out.file);
+	if (options->html)
+		html_print_begin(run->out.file);
+	else
+		compare_print_begin(options->json, run->out.file);
 	status = crew_run(&plan, command->jobs, fault);
 	progress_end(&run->progress);
 	for (int i = 0; i < 2; i++)
 		run->totals.instances[i] = run->pairs.streams[i].instances;
 	if (!status) {
-		compare_print_end(&run->totals, options->json, run->out.file);
+		if (options->html)
+			html_print_end(
+				&run->totals, &run->gallery, run->out.file);
+		else
+			compare_print_end(
+				&run->totals, options->json, run->out.file);
 		status = output_commit(&run->out, fault);
 	} else {
 		output_discard(&run->out);
@@ -170,6 +198,7 @@ close_run(struct run *run, const struct command *command)
 		comparer_release(&run->comparers[i]);
 	free(run->items);
 	free(run->comparers);
+	gallery_release(&run->gallery);
 	pairs_close(&run->pairs);
 }
 
@@ -241,6 +270,10 @@ main(int argc, char **argv)
 		{OPTION_FLAG, 0, "json", NULL,
 			"Report as one JSON object instead of text.",
 			&options.json, 0, 0, NULL},
+		{OPTION_FLAG, 0, "html", NULL,
+			"Report as one page with pictures of the objects that "
+			"differ most.",
+			&options.html, 0, 0, NULL},
 		{OPTION_NUMBER, 0, "eps", "METRES",
 			"What still touches (default: 0.01, or a thousandth "
 			"of the object's diagonal where that is more).",
@@ -271,6 +304,8 @@ main(int argc, char **argv)
 	int code;
 
 	program_begin(&program, argc, argv, &command);
+	if (options.json && options.html)
+		program_usage(&command, "--json and --html exclude each other");
 	code = run_command(&command, &options);
 	program_end(&command);
 	return code;
