@@ -38,6 +38,11 @@ main(int argc, char **argv)
 			.name = "no-spaces",
 			.help = "Leave out rooms and other spaces.",
 			.target = &options.no_spaces},
+		{.type = OPTION_FLAG,
+			.name = "bake",
+			.help = "Give every product geometry of its own, "
+				"rather than instances of prototypes.",
+			.target = &options.bake},
 		{.type = OPTION_NUMBER,
 			.name = "deflection",
 			.argument = "METRES",

@@ -30,6 +30,16 @@ ifc_multiply(const struct ifc_matrix *outer, const struct ifc_matrix *inner)
 	return out;
 }
 
+double
+ifc_determinant(const struct ifc_matrix *matrix)
+{
+	const double *m = matrix->at;
+
+	return m[0] * (m[5] * m[10] - m[6] * m[9]) -
+		m[1] * (m[4] * m[10] - m[6] * m[8]) +
+		m[2] * (m[4] * m[9] - m[5] * m[8]);
+}
+
 struct tcs_point
 ifc_transform(const struct ifc_matrix *matrix, struct tcs_point point)
 {

@@ -19,6 +19,8 @@ struct slot {
 	bool begins, ends; /* the object */
 	struct tcs_object piece;
 	struct tcs_record record; /* of an object in one piece */
+	uint32_t prototype; /* in the pass that makes those */
+	bool whole;
 	struct report report;
 };
 
@@ -34,7 +36,9 @@ struct convert {
 	struct ifc_worker *workers; /* one per job */
 	struct slot *slots;
 	size_t slot_count;
-	uint32_t next_object, next_member; /* to be read */
+	struct ifc_prototypes prototypes;
+	uint32_t next_prototype; /* to be read */
+	uint32_t next_object, next_member; /* the same */
 	struct tcs_object object; /* being put together */
 	struct tcs_record record;
 	uint64_t written; /* members */
@@ -136,6 +140,81 @@ convert_write(void *context, void *item, struct tcs_fault *fault)
 	return status ? status : writer_put(&convert->writer, record, fault);
 }
 
+/* ---- the crew on prototypes ---------------------------------------------- */
+
+static enum tcs_status
+prototype_read(void *context, void *item, bool *done, struct tcs_fault *fault)
+{
+	struct convert *convert = context;
+	struct slot *slot = item;
+
+	(void)fault;
+	*done = convert->next_prototype == convert->prototypes.count;
+	slot->prototype = convert->next_prototype;
+	if (!*done)
+		convert->next_prototype++;
+	return TCS_OK;
+}
+
+static enum tcs_status
+prototype_work(
+	void *context, void *item, size_t worker, struct tcs_fault *fault)
+{
+	struct convert *convert = context;
+	struct slot *slot = item;
+	enum tcs_status status;
+
+	object_clear(&slot->piece);
+	report_clear(&slot->report);
+	status = ifc_prototype_shape(convert->workers + worker,
+		convert->prototypes.at + slot->prototype, &slot->piece,
+		&slot->whole, &slot->report, fault);
+	slot->whole = slot->whole && slot->piece.polygons.count;
+	if (!status && slot->whole)
+		status = object_encode(
+			&slot->piece, TCS_PROTOTYPE, &slot->record, fault);
+	return status;
+}
+
+static enum tcs_status
+prototype_write(void *context, void *item, struct tcs_fault *fault)
+{
+	struct convert *convert = context;
+	struct slot *slot = item;
+	enum tcs_status status;
+
+	if (!slot->whole)
+		return TCS_OK;
+	convert->prototypes.at[slot->prototype].number =
+		(uint32_t)convert->writer.tally.prototypes;
+	status = report_merge(convert->report, &slot->report, fault);
+	return status ? status
+		      : writer_put(&convert->writer, &slot->record, fault);
+}
+
+static enum tcs_status
+prototypes_write(struct convert *convert, struct tcs_fault *fault)
+{
+	struct crew_plan plan = {.context = convert,
+		.slots = convert->slots,
+		.slot_size = sizeof *convert->slots,
+		.slot_count = convert->slot_count,
+		.read = prototype_read,
+		.work = prototype_work,
+		.write = prototype_write};
+	enum tcs_status status;
+
+	if (convert->options->bake)
+		return TCS_OK;
+	status = ifc_prototypes_list(
+		&convert->model, &convert->prototypes, fault);
+	if (!status)
+		status = crew_run(&plan, convert->command->jobs, fault);
+	for (unsigned i = 0; i < convert->command->jobs; i++)
+		convert->workers[i].prototypes = &convert->prototypes;
+	return status;
+}
+
 /* ---- the passes ---------------------------------------------------------- */
 
 static enum tcs_status
@@ -202,6 +281,8 @@ run(struct convert *convert, struct input *input, struct tcs_fault *fault)
 	status = head_write(convert, fault);
 	if (!status)
 		status = crew_begin(convert, fault);
+	if (!status)
+		status = prototypes_write(convert, fault);
 	plan.slots = convert->slots;
 	plan.slot_count = convert->slot_count;
 	if (!status)
@@ -229,6 +310,12 @@ counts_report(struct convert *convert, struct tcs_fault *fault)
 	if (!status)
 		status = report_add(
 			convert->report, "triangles", tally->triangles, fault);
+	if (!status && tally->prototypes)
+		status = report_add(convert->report, "prototypes",
+			tally->prototypes, fault);
+	if (!status && tally->instances)
+		status = report_add(
+			convert->report, "instances", tally->instances, fault);
 	return status;
 }
 
@@ -250,6 +337,7 @@ convert_end(struct convert *convert)
 	record_release(&convert->record);
 	writer_release(&convert->writer);
 	ifc_model_release(&convert->model);
+	array_release(&convert->prototypes);
 	array_release(&convert->text);
 }
 

@@ -16,6 +16,7 @@ struct ifc_options {
 	uint64_t max_bytes; /* of the file, unpacked; 0: no limit */
 	bool local; /* engineering coordinates, whatever the georeference */
 	bool no_spaces;
+	bool bake; /* no prototypes */
 	bool compress; /* the records */
 };
 

@@ -27,6 +27,9 @@ extern const struct ifc_matrix ifc_identity;
 struct ifc_matrix ifc_multiply(
 	const struct ifc_matrix *outer, const struct ifc_matrix *inner);
 
+/* Of the turning and scaling part: negative for one that mirrors. */
+double ifc_determinant(const struct ifc_matrix *matrix);
+
 struct tcs_point ifc_transform(
 	const struct ifc_matrix *matrix, struct tcs_point point);
 

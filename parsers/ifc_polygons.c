@@ -13,14 +13,6 @@ struct placing {
 	bool mirrored;
 };
 
-static double
-determinant(const double *m)
-{
-	return m[0] * (m[5] * m[10] - m[6] * m[9]) -
-		m[1] * (m[4] * m[10] - m[6] * m[8]) +
-		m[2] * (m[4] * m[9] - m[5] * m[8]);
-}
-
 /* ---- one face ------------------------------------------------------------ */
 
 /* The points of a face behind the vertices there are; not counted yet. */
@@ -252,7 +244,7 @@ ifc_polygons_add(struct triangulator *triangulator, const struct ifc_body *body,
 	struct report *report, struct tcs_fault *fault)
 {
 	struct placing placing = {triangulator, body, target, out, report,
-		determinant(target->matrix->at) < 0};
+		ifc_determinant(target->matrix) < 0};
 	enum tcs_status status = geometry_write(&placing, true, fault);
 
 	return status ? status : geometry_write(&placing, false, fault);

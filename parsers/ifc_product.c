@@ -1,5 +1,7 @@
 #include "ifc_product.h"
 
+#include <math.h>
+
 #include "ifc_attributes.h"
 #include "ifc_representation.h"
 
@@ -216,6 +218,114 @@ body_open(struct ifc_worker *worker, uint32_t product, const char *id,
 	}
 }
 
+/* ---- prototypes ---------------------------------------------------------- */
+
+enum tcs_status
+ifc_prototype_shape(struct ifc_worker *worker,
+	const struct ifc_prototype *prototype, struct tcs_object *out,
+	bool *whole, struct report *report, struct tcs_fault *fault)
+{
+	struct ifc_shaper *shaper = &worker->shaper;
+	struct ifc_matrix matrix, scale = ifc_identity;
+	struct step_value list, value;
+	enum ifc_outcome outcome;
+	uint32_t representation;
+	char id[IFC_GLOBAL_ID_ROOM];
+
+	ifc_id(shaper->file, prototype->map, id);
+	ifc_body_clear(&worker->body);
+	shaper->points = 0;
+	shaper->depth = 0;
+	outcome = ifc_mapped_read(
+		shaper, prototype->item, &representation, &matrix);
+	list = ifc_items_of(shaper->file, representation);
+	while (!outcome && list.kind == STEP_LIST &&
+		step_next(&list.list, &value) > STEP_END)
+		outcome = ifc_item_body(shaper,
+			step_target(shaper->file->step, &value), &worker->body);
+	*whole = !outcome && !shaper->scratch->remarks.count;
+	array_clear(&shaper->scratch->remarks);
+	if (outcome == IFC_NO_MEMORY)
+		return fault_memory(fault);
+	if (!*whole)
+		return TCS_OK;
+	body_paint(worker, prototype->paint);
+	for (int i = 0; i < 3; i++)
+		scale.at[5 * i] = shaper->unit;
+	if (array_grow(&out->features, 1))
+		return fault_memory(fault);
+	out->features.at[out->features.count++] =
+		(struct tcs_feature){.parent = TCS_NONE};
+	return ifc_polygons_add(worker->triangulator, &worker->body,
+		&(struct ifc_target_feature){&scale, 0, LOD, id}, out, report,
+		fault);
+}
+
+/* An instance of the prototype of a mapped item; false where it cannot be. */
+static bool
+instance_place(struct ifc_worker *worker, uint32_t item, uint32_t paint,
+	const struct ifc_matrix *world, struct tcs_instance *out)
+{
+	const struct ifc_prototype *prototype = ifc_prototype_find(
+		worker->model, worker->prototypes, item, paint);
+	struct ifc_matrix mapped;
+	uint32_t representation;
+
+	worker->shaper.depth = 0;
+	if (!prototype ||
+		ifc_mapped_read(
+			&worker->shaper, item, &representation, &mapped) ||
+		ifc_determinant(&mapped) <= 0)
+		return false;
+	mapped = ifc_multiply(world, &mapped);
+	*out = (struct tcs_instance){.prototype = prototype->number,
+		.lod = LOD,
+		.anchor = {mapped.at[3], mapped.at[7], mapped.at[11]}};
+	for (int i = 0; i < 12; i++) {
+		out->matrix[i] =
+			i % 4 == 3 ? 0 : mapped.at[i] / worker->shaper.unit;
+		if (!isfinite(out->matrix[i]))
+			return false;
+	}
+	out->matrix[15] = 1;
+	return isfinite(out->anchor.x) && isfinite(out->anchor.y) &&
+		isfinite(out->anchor.z);
+}
+
+/* All items of a product as instances, or none: false in *placed. */
+static enum tcs_status
+instances_place(struct ifc_worker *worker, uint32_t node, uint32_t feature,
+	const struct ifc_matrix *world, struct tcs_object *out, bool *placed,
+	struct tcs_fault *fault)
+{
+	const struct ifc_model *model = worker->model;
+	uint32_t product = model->tree.at[node].instance;
+	struct step_value list =
+		ifc_items_of(&model->file, ifc_body_of(&model->file, product));
+	size_t before = out->instances.count;
+	uint32_t paint = ifc_material_paint(model, product);
+	struct step_value value;
+
+	*placed = worker->prototypes && worker->prototypes->count &&
+		ifc_is_instance(model, node);
+	while (*placed && list.kind == STEP_LIST &&
+		step_next(&list.list, &value) > STEP_END) {
+		struct tcs_instance instance;
+
+		if (array_grow(&out->instances, 1))
+			return fault_memory(fault);
+		*placed = instance_place(worker,
+			step_target(model->file.step, &value), paint, world,
+			&instance);
+		instance.feature = feature;
+		if (*placed)
+			out->instances.at[out->instances.count++] = instance;
+	}
+	if (!*placed)
+		out->instances.count = before;
+	return TCS_OK;
+}
+
 /* ---- the product --------------------------------------------------------- */
 
 static enum tcs_status
@@ -246,8 +356,9 @@ ifc_product_shape(struct ifc_worker *worker, uint32_t node, uint32_t feature,
 	uint32_t product = worker->model->tree.at[node].instance;
 	uint32_t representation = ifc_body_of(file, product);
 	char id[IFC_GLOBAL_ID_ROOM];
-	struct ifc_matrix world;
+	struct ifc_matrix world, placed;
 	enum tcs_status status;
+	bool done;
 
 	if (!ifc_is_shown(file, product))
 		return TCS_OK;
@@ -259,12 +370,16 @@ ifc_product_shape(struct ifc_worker *worker, uint32_t node, uint32_t feature,
 	if (!product_world(worker->model, product, &world))
 		return report_item(report, REPORT_SKIPPED, "product",
 			"where it stands is not known", id, TCS_NOWHERE, fault);
+	placed = ifc_multiply(&worker->world, &world);
+	status = instances_place(
+		worker, node, feature, &placed, out, &done, fault);
+	if (status || done)
+		return status;
 	status = body_shape(
 		worker, node, representation, &world, id, report, fault);
-	world = ifc_multiply(&worker->world, &world);
 	if (!status)
 		status = ifc_polygons_add(worker->triangulator, &worker->body,
-			&(struct ifc_target_feature){&world, feature, LOD, id},
+			&(struct ifc_target_feature){&placed, feature, LOD, id},
 			out, report, fault);
 	return status;
 }

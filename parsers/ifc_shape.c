@@ -298,14 +298,6 @@ ifc_faces_reverse(struct ifc_faces *faces, size_t first_face)
 	}
 }
 
-static double
-determinant(const double *m)
-{
-	return m[0] * (m[5] * m[10] - m[6] * m[9]) -
-		m[1] * (m[4] * m[10] - m[6] * m[8]) +
-		m[2] * (m[4] * m[9] - m[5] * m[8]);
-}
-
 void
 ifc_faces_transform(struct ifc_faces *faces, size_t first_face,
 	const struct ifc_matrix *matrix)
@@ -316,7 +308,7 @@ ifc_faces_transform(struct ifc_faces *faces, size_t first_face,
 		i < faces->points.count; i++)
 		faces->points.at[i] =
 			ifc_transform(matrix, faces->points.at[i]);
-	if (determinant(matrix->at) < 0)
+	if (ifc_determinant(matrix) < 0)
 		ifc_faces_reverse(faces, first_face);
 }
 
