@@ -1,14 +1,24 @@
 #include <string.h>
 
+#include "ifc_curved_face.h"
+#include "ifc_edge.h"
 #include "ifc_item.h"
+#include "ifc_orient.h"
 
-enum { FACES = 0, BOUNDS = 0, LOOP = 0, ORIENTATION = 1, POLYGON = 0 };
+enum {
+	FACES = 0,
+	BOUNDS = 0,
+	SURFACE = 1,
+	LOOP = 0,
+	ORIENTATION = 1,
+	POLYGON = 0
+};
 
 enum { OUTER = 0, VOIDS = 1 };
 
 /* ---- faces --------------------------------------------------------------- */
 
-/* The corners of a polyloop, none twice in a row. */
+/* The corners of a loop, none twice in a row. */
 static enum ifc_outcome
 loop_points(struct ifc_shaper *shaper, uint32_t loop, struct ifc_faces *out)
 {
@@ -17,6 +27,8 @@ loop_points(struct ifc_shaper *shaper, uint32_t loop, struct ifc_faces *out)
 	size_t first = points->count;
 	enum ifc_outcome outcome = IFC_SHAPED;
 
+	if (ifc_entity_of(shaper->file, loop) == IFC_EDGELOOP)
+		return ifc_loop_points(shaper, loop, points);
 	if (ifc_entity_of(shaper->file, loop) != IFC_POLYLOOP ||
 		list.kind != STEP_LIST)
 		return ifc_refuse(shaper, loop, "a loop is no polygon");
@@ -102,21 +114,46 @@ face_rings(struct ifc_shaper *shaper, uint32_t face, struct ifc_faces *out)
 	return outcome;
 }
 
+static bool
+is_curved(const struct ifc_file *file, uint32_t face)
+{
+	return ifc_is_kind(file, face, IFC_FACESURFACE) &&
+		ifc_entity_of(file, ifc_target(file, face, SURFACE)) !=
+		IFC_PLANE;
+}
+
 static enum ifc_outcome
 face_set(struct ifc_shaper *shaper, uint32_t set, struct ifc_faces *out)
 {
 	struct step_value list = ifc_value(shaper->file, set, FACES), item;
+	TCS_ARRAY(uint32_t) groups = {.count = 0};
 	enum ifc_outcome outcome = IFC_SHAPED;
+	bool curved = false;
 
 	if (!ifc_is_kind(shaper->file, set, IFC_CONNECTEDFACESET) ||
 		list.kind != STEP_LIST)
 		return ifc_refuse(shaper, set, "a shell has no faces");
 	while (!outcome && step_next(&list.list, &item) > STEP_END) {
-		outcome = face_rings(
-			shaper, step_target(shaper->file->step, &item), out);
+		uint32_t face = step_target(shaper->file->step, &item);
+
+		if (array_grow(&groups, 1)) {
+			outcome = IFC_NO_MEMORY;
+			break;
+		}
+		groups.at[groups.count++] = (uint32_t)out->faces.count;
+		if (is_curved(shaper->file, face)) {
+			curved = true;
+			outcome = ifc_curved_face(shaper, face, out);
+			continue;
+		}
+		outcome = face_rings(shaper, face, out);
 		if (!outcome)
 			outcome = ifc_face_end_wound(shaper, out);
 	}
+	/* Many programs disagree with themselves on senses of curved faces. */
+	if (!outcome && curved)
+		outcome = ifc_groups_orient(groups.at, groups.count, out);
+	array_release(&groups);
 	return outcome;
 }
 
@@ -147,7 +184,9 @@ ifc_brep(struct ifc_shaper *shaper, uint32_t item, struct ifc_body *out)
 		IFC_PART_SOLID, item, out);
 	struct step_value voids, inner;
 
-	if (outcome || ifc_entity_of(file, item) != IFC_FACETEDBREPWITHVOIDS)
+	if (outcome ||
+		(ifc_entity_of(file, item) != IFC_FACETEDBREPWITHVOIDS &&
+			ifc_entity_of(file, item) != IFC_ADVANCEDBREPWITHVOIDS))
 		return outcome;
 	voids = ifc_value(file, item, VOIDS);
 	while (!outcome && voids.kind == STEP_LIST &&

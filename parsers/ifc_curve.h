@@ -79,8 +79,9 @@ enum ifc_outcome ifc_trim_range(struct ifc_shaper *shaper, uint32_t trimmed,
 	double *from, double *to) TCS_CHECKED;
 
 /*
- * The parameter of the place on a line, a conic, a polyline or a spline that is
- * nearest to a point, or all but that for one far off an ellipse.
+ * The parameter of the place on a line, a conic, a polyline, a spline or a part
+ * of these that is nearest to a point, or all but that for one far off an
+ * ellipse.
  */
 enum ifc_outcome ifc_curve_locate(struct ifc_shaper *shaper, uint32_t curve,
 	struct tcs_point point, double *out) TCS_CHECKED;

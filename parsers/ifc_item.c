@@ -147,6 +147,8 @@ body_inside(struct ifc_shaper *shaper, uint32_t item, struct ifc_body *out)
 		return solid(shaper, item, ifc_primitive, out);
 	case IFC_FACETEDBREP:
 	case IFC_FACETEDBREPWITHVOIDS:
+	case IFC_ADVANCEDBREP:
+	case IFC_ADVANCEDBREPWITHVOIDS:
 		return ifc_brep(shaper, item, out);
 	case IFC_FACEBASEDSURFACEMODEL:
 	case IFC_SHELLBASEDSURFACEMODEL:

@@ -89,7 +89,7 @@ enum ifc_outcome ifc_revolution(struct ifc_shaper *shaper, uint32_t item,
 
 /* ---- ifc_brep.c ---------------------------------------------------------- */
 
-/* IfcFacetedBrep, with voids or not. */
+/* IfcFacetedBrep and IfcAdvancedBrep, with voids or not. */
 enum ifc_outcome ifc_brep(struct ifc_shaper *shaper, uint32_t item,
 	struct ifc_body *out) TCS_CHECKED;
 

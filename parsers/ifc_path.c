@@ -169,16 +169,29 @@ cut_by_length(struct ifc_shaper *shaper, struct ifc_points *points,
 }
 
 /*
- * Whether the parameters are 0 and 1 on a polyline of more than one edge, with
- * which programs mean its ends.
+ * Whether parameters mean the ends of a curve as programs write them: 0 and 1
+ * on a polyline, and on a trimmed curve those of its basis where it is cut.
  */
-static bool
-are_ends(const struct ifc_file *file, uint32_t curve, double from, double to)
+static enum ifc_outcome
+are_ends(struct ifc_shaper *shaper, uint32_t curve, double from, double to,
+	bool *out)
 {
-	enum ifc_entity entity = ifc_entity_of(file, curve);
+	enum ifc_outcome outcome;
+	double first, last;
 
-	return from == 0 && to == 1 &&
-		(entity == IFC_POLYLINE || entity == IFC_INDEXEDPOLYCURVE);
+	*out = false;
+	switch (ifc_entity_of(shaper->file, curve)) {
+	case IFC_POLYLINE:
+	case IFC_INDEXEDPOLYCURVE:
+		*out = from == 0 && to == 1;
+		return IFC_SHAPED;
+	case IFC_TRIMMEDCURVE:
+		outcome = ifc_trim_range(shaper, curve, &first, &last);
+		*out = !outcome && from == first && to == last;
+		return outcome;
+	default:
+		return IFC_SHAPED;
+	}
 }
 
 static enum ifc_outcome
@@ -188,10 +201,13 @@ points_between(struct ifc_shaper *shaper, uint32_t curve,
 {
 	double from, to, low = -HUGE_VAL, high = HUGE_VAL;
 	bool starts = step_number(start, &low), ends = step_number(end, &high);
-	bool whole =
-		(!starts && !ends) || are_ends(shaper->file, curve, low, high);
-	enum ifc_outcome outcome;
+	bool whole = !starts && !ends;
+	enum ifc_outcome outcome = IFC_SHAPED;
 
+	if (starts && ends)
+		outcome = are_ends(shaper, curve, low, high, &whole);
+	if (outcome)
+		return outcome;
 	if (whole || is_length(start) || is_length(end)) {
 		outcome = ifc_curve_points(shaper, curve, out);
 		return outcome || whole ? outcome

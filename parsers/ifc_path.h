@@ -41,8 +41,9 @@ enum ifc_outcome ifc_path_along(struct ifc_shaper *shaper,
 /*
  * The path of a swept solid, with chords fine enough for what lies `reach`
  * beside it: the part of its curve between two values, each a parameter, a
- * length, or not there. Parameters 0 and 1 on a polyline are its ends, however
- * many edges it has: so do programs write them that mean the whole.
+ * length, or not there. All of a curve are also what programs write for that:
+ * parameters 0 and 1 on a polyline, however many edges it has, and on a trimmed
+ * curve the parameters of its basis where it is cut.
  */
 enum ifc_outcome ifc_path_read(struct ifc_shaper *shaper, uint32_t curve,
 	const struct step_value *start, const struct step_value *end,

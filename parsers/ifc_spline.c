@@ -199,12 +199,12 @@ ifc_knot_span(const struct ifc_knots *knots, unsigned degree, double parameter)
 
 struct ifc_pole
 ifc_pole_at(const struct ifc_knots *knots, unsigned degree, size_t span,
-	double parameter, const struct ifc_pole *poles, size_t stride)
+	double parameter, const struct ifc_pole *poles)
 {
 	struct ifc_pole row[IFC_MOST_DEGREE + 1];
 
 	for (size_t i = 0; i <= degree; i++)
-		row[i] = poles[(span - degree + i) * stride];
+		row[i] = poles[i];
 	for (size_t level = 1; level <= degree; level++) {
 		for (size_t i = degree; i >= level; i--) {
 			size_t at = span - degree + i;
@@ -241,12 +241,13 @@ struct tcs_point
 ifc_spline_at(const struct ifc_spline *spline, double parameter)
 {
 	struct ifc_pole pole;
+	size_t span;
 
 	parameter = fmin(fmax(parameter, ifc_spline_from(spline)),
 		ifc_spline_to(spline));
-	pole = ifc_pole_at(&spline->knots, spline->degree,
-		ifc_knot_span(&spline->knots, spline->degree, parameter),
-		parameter, spline->poles.at, 1);
+	span = ifc_knot_span(&spline->knots, spline->degree, parameter);
+	pole = ifc_pole_at(&spline->knots, spline->degree, span, parameter,
+		spline->poles.at + span - spline->degree);
 	return (struct tcs_point){
 		pole.x / pole.w, pole.y / pole.w, pole.z / pole.w};
 }

@@ -48,14 +48,13 @@ enum ifc_outcome ifc_weights_read(struct ifc_shaper *shaper, uint32_t item,
 
 /*
  * The span of knots that holds a parameter of the range, and the pole that a
- * curve has there: it comes of the poles span - degree to span, of which
- * poles[i * stride] is the i-th.
+ * curve has there, of the degree plus one poles of its span: the first one is
+ * the span's number less the degree.
  */
 size_t ifc_knot_span(
 	const struct ifc_knots *knots, unsigned degree, double parameter);
 struct ifc_pole ifc_pole_at(const struct ifc_knots *knots, unsigned degree,
-	size_t span, double parameter, const struct ifc_pole *poles,
-	size_t stride);
+	size_t span, double parameter, const struct ifc_pole *poles);
 
 /* ---- curves -------------------------------------------------------------- */
 

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "ifc_profile.h"
+#include "ifc_surface.h"
 
 enum { SWEPT_AREA, POSITION, DIRECTRIX, START, END, REFERENCE };
 
@@ -84,19 +85,38 @@ turn_to_direction(struct ifc_shaper *shaper, uint32_t item,
 	return IFC_SHAPED;
 }
 
+/* To the normal of the surface where each station is nearest to it. */
+static enum ifc_outcome
+turn_to_normals(struct ifc_shaper *shaper, uint32_t item,
+	const struct ifc_surface *surface, struct ifc_path *path)
+{
+	struct ifc_uv near, uv;
+
+	for (size_t i = 0; i < path->stations.count; i++) {
+		struct ifc_station *station = path->stations.at + i;
+
+		(void)ifc_surface_locate(
+			surface, station->at, i ? &near : NULL, &uv);
+		if (!ifc_station_turn(station, ifc_surface_normal(surface, uv)))
+			return ifc_refuse(shaper, item,
+				"a path leaves its surface upright");
+		near = uv;
+	}
+	return IFC_SHAPED;
+}
+
 static enum ifc_outcome
 turn_to_surface(struct ifc_shaper *shaper, uint32_t item, uint32_t surface,
 	struct ifc_path *path)
 {
-	struct ifc_matrix at;
+	struct ifc_surface read;
+	enum ifc_outcome outcome =
+		ifc_surface_read(shaper, surface, true, &read);
 
-	if (ifc_entity_of(shaper->file, surface) != IFC_PLANE ||
-		!ifc_axes(shaper->file, ifc_target(shaper->file, surface, 0),
-			&at))
-		return ifc_refuse(
-			shaper, item, "swept along a surface that is no plane");
-	return turn_to_direction(shaper, item,
-		(struct tcs_point){at.at[2], at.at[6], at.at[10]}, path);
+	if (!outcome)
+		outcome = turn_to_normals(shaper, item, &read, path);
+	ifc_surface_release(&read);
+	return outcome;
 }
 
 static enum ifc_outcome

@@ -93,6 +93,31 @@ polyline_parameter(struct ifc_shaper *shaper, uint32_t curve,
 	return outcome;
 }
 
+/* The same of a trimmed curve, which counts from its start. */
+static enum ifc_outcome
+trimmed_parameter(struct ifc_shaper *shaper, uint32_t trimmed,
+	struct tcs_point point, double *out)
+{
+	uint32_t basis = ifc_target(shaper->file, trimmed, BASIS);
+	enum ifc_entity kind = ifc_entity_of(shaper->file, basis);
+	double from, to, turn = 2 * PI / shaper->angle;
+	enum ifc_outcome outcome = ifc_enter(shaper, trimmed);
+
+	if (outcome)
+		return outcome;
+	outcome = ifc_trim_range(shaper, trimmed, &from, &to);
+	if (!outcome)
+		outcome = ifc_curve_locate(shaper, basis, point, out);
+	ifc_leave(shaper);
+	if (outcome)
+		return outcome;
+	*out = to < from ? from - *out : *out - from;
+	if (kind == IFC_CIRCLE || kind == IFC_ELLIPSE)
+		*out -= turn * floor(*out / turn + SAME_ANGLE);
+	*out = fmin(fmax(*out, 0), fabs(to - from));
+	return IFC_SHAPED;
+}
+
 enum ifc_outcome
 ifc_curve_locate(struct ifc_shaper *shaper, uint32_t basis,
 	struct tcs_point point, double *out)
@@ -118,6 +143,8 @@ ifc_curve_locate(struct ifc_shaper *shaper, uint32_t basis,
 	case IFC_POLYLINE:
 	case IFC_INDEXEDPOLYCURVE:
 		return polyline_parameter(shaper, basis, point, out);
+	case IFC_TRIMMEDCURVE:
+		return trimmed_parameter(shaper, basis, point, out);
 	case IFC_BEZIERCURVE:
 	case IFC_RATIONALBEZIERCURVE:
 	case IFC_BSPLINECURVEWITHKNOTS:
@@ -169,8 +196,10 @@ ifc_trim_range(
 		ifc_entity_of(file, ifc_target(file, trimmed, BASIS));
 	bool by_point = step_is(&master, "CARTESIAN");
 	struct trim first, second;
-	enum ifc_outcome outcome;
+	enum ifc_outcome outcome = ifc_enter(shaper, trimmed);
 
+	if (outcome)
+		return outcome;
 	trim_read(file, trimmed, FIRST, &first);
 	trim_read(file, trimmed, SECOND, &second);
 	outcome = trim_parameter(shaper, trimmed, &first, by_point, from);
@@ -180,5 +209,6 @@ ifc_trim_range(
 	if (!outcome && (basis == IFC_CIRCLE || basis == IFC_ELLIPSE))
 		turn_on(2 * PI / shaper->angle, !step_is(&sense, "F"), *from,
 			to);
+	ifc_leave(shaper);
 	return outcome;
 }
