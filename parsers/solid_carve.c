@@ -5,6 +5,8 @@
 
 #include "solid_choose.h"
 
+enum { SIDES = 6 }; /* of the box: facets 0 to 5 */
+
 void
 solid_carver_release(struct solid_carver *carver)
 {
@@ -26,7 +28,7 @@ box_planes(struct solid_carver *carver, struct tcs_point lower,
 {
 	enum tcs_status status = TCS_OK;
 
-	for (unsigned i = 0; !status && i < 6; i++) {
+	for (unsigned i = 0; !status && i < SIDES; i++) {
 		struct tcs_point axis = {i < 2, i / 2 == 1, i / 2 == 2};
 		int side;
 
@@ -43,7 +45,7 @@ solid_carve_begin(struct solid_carver *carver, struct tcs_point lower,
 	double extent = fmax(fmax(fmax(fabs(lower.x), fabs(lower.y)),
 				     fmax(fabs(lower.z), fabs(upper.x))),
 		fmax(fabs(upper.y), fabs(upper.z)));
-	uint32_t box[6];
+	uint32_t box[SIDES];
 	enum tcs_status status;
 
 	array_clear(&carver->covers);
@@ -80,7 +82,7 @@ piece_fill(
 	array_clear(&from->list);
 	array_clear(&from->points);
 	status = solid_items_add(from, number, points, piece->count, fault);
-	for (uint32_t i = 0; !status && from->list.count && i < 6; i++) {
+	for (uint32_t i = 0; !status && from->list.count && i < SIDES; i++) {
 		const struct solid_facet *facet = &carver->cells.facets.at[i];
 		struct solid_items *other = from;
 
@@ -99,13 +101,49 @@ piece_fill(
 	return status;
 }
 
-enum tcs_status
-solid_carve_fill(struct solid_carver *carver, struct tcs_fault *fault)
+static enum tcs_status
+cover_add(struct solid_carver *carver, struct solid_facet *facet,
+	uint32_t piece, struct tcs_fault *fault)
 {
+	if (carver->covers.count >= UINT32_MAX ||
+		array_grow(&carver->covers, 1))
+		return fault_memory(fault);
+	if (!facet->cover_count)
+		facet->first_cover = (uint32_t)carver->covers.count;
+	carver->covers.at[carver->covers.count++] = piece;
+	facet->cover_count++;
+	return TCS_OK;
+}
+
+/* The pieces in the plane of one side of the box. */
+static enum tcs_status
+side_fill(struct solid_carver *carver, uint32_t side, struct tcs_fault *fault)
+{
+	struct solid_facet *facet = &carver->cells.facets.at[side];
 	enum tcs_status status = TCS_OK;
 
 	for (uint32_t i = 0; !status && i < carver->pieces.list.count; i++)
-		status = piece_fill(carver, i, fault);
+		if (carver->pieces.list.at[i].plane == facet->plane)
+			status = cover_add(carver, facet, i, fault);
+	return status;
+}
+
+enum tcs_status
+solid_carve_fill(struct solid_carver *carver, struct tcs_fault *fault)
+{
+	const struct solid_facet *facets = carver->cells.facets.at;
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = 0; !status && i < SIDES; i++)
+		status = side_fill(carver, i, fault);
+	for (uint32_t i = 0; !status && i < carver->pieces.list.count; i++) {
+		uint32_t plane = carver->pieces.list.at[i].plane, side = 0;
+
+		while (side < SIDES && facets[side].plane != plane)
+			side++;
+		if (side == SIDES)
+			status = piece_fill(carver, i, fault);
+	}
 	return status;
 }
 
@@ -154,21 +192,16 @@ items_part(struct solid_carver *carver, const struct solid_job *job,
 	array_clear(&carver->below.points);
 	array_clear(&carver->above.list);
 	array_clear(&carver->above.points);
-	facet->first_cover = (uint32_t)carver->covers.count;
 	for (size_t i = job->first_item;
 		!status && i < carver->items.list.count; i++) {
 		const struct solid_item *item = &carver->items.list.at[i];
 
-		if (carver->pieces.list.at[item->piece].plane != plane) {
+		if (carver->pieces.list.at[item->piece].plane == plane)
+			status = cover_add(carver, facet, item->piece, fault);
+		else
 			status = item_part(carver,
 				&carver->planes.list.at[plane], item, points,
 				fault);
-		} else if (array_grow(&carver->covers, 1)) {
-			return fault_memory(fault);
-		} else {
-			carver->covers.at[carver->covers.count++] = item->piece;
-			facet->cover_count++;
-		}
 		points += item->count;
 	}
 	return status;
@@ -223,6 +256,48 @@ items_forget(struct solid_carver *carver, const struct solid_job *job,
 	return kept < count;
 }
 
+/* The cover of a facet that is half of one that was cut: what reaches it. */
+static enum tcs_status
+cover_part(struct solid_carver *carver, uint32_t number,
+	const struct solid_plane *plane, int side, struct tcs_fault *fault)
+{
+	struct solid_facet *facet = &carver->cells.facets.at[number];
+	const struct solid_pieces *pieces = &carver->pieces;
+	uint32_t first = facet->first_cover, count = facet->cover_count;
+	enum tcs_status status = TCS_OK;
+
+	facet->cover_count = 0;
+	for (uint32_t i = 0; !status && i < count; i++) {
+		uint32_t piece = carver->covers.at[first + i];
+		const struct solid_piece *of = &pieces->list.at[piece];
+		struct solid_range range = solid_range_of(
+			plane, pieces->points.at + of->first, of->count);
+
+		if (side > 0 ? range.high > 0 : range.low < 0)
+			status = cover_add(carver, facet, piece, fault);
+	}
+	return status;
+}
+
+enum { FEW_COVERS = 8 };
+
+/* Facets from `first` on come in pairs, below the plane and above it; the last
+ * one is that between. */
+static enum tcs_status
+covers_part(struct solid_carver *carver, size_t first, uint32_t plane,
+	struct tcs_fault *fault)
+{
+	size_t last = carver->cells.facets.count - 1;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = first; !status && i < last; i++)
+		if (carver->cells.facets.at[i].cover_count > FEW_COVERS)
+			status = cover_part(carver, (uint32_t)i,
+				&carver->planes.list.at[plane],
+				(i - first) % 2 ? 1 : -1, fault);
+	return status;
+}
+
 /* The last job by a plane. *side as with solid_cells_cut; where it is 0, the
  * job has become two, the upper half's the last. */
 static enum tcs_status
@@ -230,12 +305,15 @@ job_cut(struct solid_carver *carver, uint32_t plane, int *side,
 	struct tcs_fault *fault)
 {
 	struct solid_job job = carver->jobs.at[carver->jobs.count - 1];
+	size_t facets = carver->cells.facets.count;
 	enum tcs_status status =
 		solid_cells_cut(&carver->cells, job.cell, plane, side, fault);
 
 	if (status || *side)
 		return status;
-	status = items_part(carver, &job, plane, fault);
+	status = covers_part(carver, facets, plane, fault);
+	if (!status)
+		status = items_part(carver, &job, plane, fault);
 	carver->jobs.count--;
 	carver->items.list.count = job.first_item;
 	carver->items.points.count = job.first_point;
@@ -324,7 +402,7 @@ job_do(struct solid_carver *carver, struct tcs_fault *fault)
 
 	while (carver->items.list.count > carver->jobs.at[last].first_item) {
 		uint32_t plane;
-		int side;
+		int side = 0;
 		enum tcs_status status =
 			plane_choose(carver, &by_axis, &plane, fault);
 

@@ -37,7 +37,8 @@ enum tcs_status solid_carve_begin(struct solid_carver *carver,
 	struct tcs_point lower, struct tcs_point upper, double tolerance,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/* Give the box all pieces that reach into it. Fails with TCS_NO_MEMORY. */
+/* Give the box all pieces that reach into it or lie in its sides. Fails with
+ * TCS_NO_MEMORY. */
 enum tcs_status solid_carve_fill(
 	struct solid_carver *carver, struct tcs_fault *fault) TCS_CHECKED;
 

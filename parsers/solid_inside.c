@@ -9,6 +9,7 @@ void
 solid_inside_release(struct solid_inside *inside)
 {
 	array_release(&inside->panes);
+	array_release(&inside->order);
 	array_release(&inside->covers);
 	array_release(&inside->windings);
 	array_release(&inside->parents);
@@ -23,50 +24,72 @@ entry_point(const struct solid_cells *cells, uint32_t entry)
 	return cells->corners.at[solid_loop_corner(cells, entry)].at;
 }
 
-/* Area and circumference of a facet. */
 static struct solid_pane
 pane_of(const struct solid_cells *cells, uint32_t number)
 {
 	const struct solid_facet *facet = &cells->facets.at[number];
 	const uint32_t *loop = cells->loops.at + facet->first;
-	struct tcs_point first = entry_point(cells, loop[0]), sum = {0, 0, 0};
-	struct tcs_point last = {0, 0, 0};
-	double around = 0;
+	struct tcs_point first = entry_point(cells, loop[0]);
+	struct tcs_point last = {0, 0, 0}, normal = last, sum = last;
+	double around = 0, part;
+	struct solid_pane pane = {.facet = number};
 
-	for (uint32_t i = 1; i <= facet->count; i++) {
-		struct tcs_point here = point_minus(
-			entry_point(cells, loop[i % facet->count]), first);
+	for (uint32_t i = 1; i < facet->count; i++) {
+		struct tcs_point here =
+			point_minus(entry_point(cells, loop[i]), first);
 		struct tcs_point edge = point_minus(here, last);
 
-		sum = point_plus(sum, point_cross(last, here));
+		normal = point_plus(normal, point_cross(last, here));
 		around += sqrt(point_dot(edge, edge));
+		sum = point_plus(sum, here);
 		last = here;
 	}
-	return (struct solid_pane){
-		around > 0 ? sqrt(point_dot(sum, sum)) / 2 / around : 0,
-		sqrt(point_dot(sum, sum)) / 2, number};
+	around += sqrt(point_dot(last, last));
+	part = 1.0 / facet->count;
+	pane.centre = (struct tcs_point){first.x + sum.x * part,
+		first.y + sum.y * part, first.z + sum.z * part};
+	pane.area = sqrt(point_dot(normal, normal)) / 2;
+	pane.width = around > 0 ? pane.area / around : 0;
+	return pane;
 }
 
-static struct tcs_point
-facet_centre(const struct solid_cells *cells, const struct solid_facet *facet)
-{
-	struct tcs_point sum = {0, 0, 0};
-	double part = 1.0 / facet->count;
+enum { WIDTHS = 128 };
 
-	for (uint32_t i = 0; i < facet->count; i++)
-		sum = point_plus(sum,
-			entry_point(cells, cells->loops.at[facet->first + i]));
-	return (struct tcs_point){sum.x * part, sum.y * part, sum.z * part};
+/* Each a factor of 2, from 2¹⁵ m on downwards. */
+static unsigned
+width_class(double width)
+{
+	int exponent;
+
+	if (!(width > 0))
+		return WIDTHS - 1;
+	frexp(width, &exponent);
+	exponent = 16 - exponent;
+	return exponent < 0		 ? 0
+		: exponent >= WIDTHS - 1 ? WIDTHS - 1
+					 : (unsigned)exponent;
 }
 
-static int
-pane_order(const void *left, const void *right)
+/* By the class of their width, then as they are. */
+static enum tcs_status
+panes_order(struct solid_inside *inside, struct tcs_fault *fault)
 {
-	const struct solid_pane *a = left, *b = right;
+	uint32_t starts[WIDTHS + 1] = {0};
 
-	if (a->width != b->width)
-		return a->width > b->width ? -1 : 1;
-	return (a->facet > b->facet) - (a->facet < b->facet);
+	array_clear(&inside->order);
+	if (array_grow(&inside->order, inside->panes.count))
+		return fault_memory(fault);
+	inside->order.count = inside->panes.count;
+	for (size_t i = 0; i < inside->panes.count; i++)
+		starts[width_class(inside->panes.at[i].width) + 1]++;
+	for (unsigned i = 0; i < WIDTHS; i++)
+		starts[i + 1] += starts[i];
+	for (uint32_t i = 0; i < inside->panes.count; i++) {
+		unsigned class = width_class(inside->panes.at[i].width);
+
+		inside->order.at[starts[class]++] = i;
+	}
+	return TCS_OK;
 }
 
 static enum tcs_status
@@ -89,18 +112,15 @@ panes_collect(struct solid_inside *inside, struct solid_cells *cells,
 		status = solid_cells_loop(cells, i, fault);
 		inside->panes.at[inside->panes.count++] = pane_of(cells, i);
 	}
-	if (!status)
-		qsort(inside->panes.at, inside->panes.count,
-			sizeof *inside->panes.at, pane_order);
-	return status;
+	return status ? status : panes_order(inside, fault);
 }
 
 /* ---- what covers them -------------------------------------------------------- */
 
 static struct solid_cover
-cover_of(const struct solid_carver *carver, const struct solid_facet *facet)
+cover_of(const struct solid_carver *carver, const struct solid_pane *pane)
 {
-	struct tcs_point centre = facet_centre(&carver->cells, facet);
+	const struct solid_facet *facet = &carver->cells.facets.at[pane->facet];
 	struct solid_cover cover = {{{SOLID_NO_FACE, SOLID_NO_FACE},
 					    {SOLID_NO_FACE, SOLID_NO_FACE}},
 		{0, 0}};
@@ -113,7 +133,8 @@ cover_of(const struct solid_carver *carver, const struct solid_facet *facet)
 		uint32_t *first = &cover.pieces[who][piece->side < 0];
 
 		if (!solid_piece_holds(&carver->pieces, piece,
-			    &carver->planes.list.at[facet->plane], centre))
+			    &carver->planes.list.at[facet->plane],
+			    pane->centre))
 			continue;
 		cover.step[who] -= piece->side;
 		if (piece->side && *first == SOLID_NO_FACE)
@@ -130,8 +151,8 @@ covers_find(struct solid_inside *inside, const struct solid_carver *carver,
 	if (array_grow(&inside->covers, inside->panes.count))
 		return fault_memory(fault);
 	for (size_t i = 0; i < inside->panes.count; i++)
-		inside->covers.at[inside->covers.count++] = cover_of(carver,
-			&carver->cells.facets.at[inside->panes.at[i].facet]);
+		inside->covers.at[inside->covers.count++] =
+			cover_of(carver, &inside->panes.at[i]);
 	return TCS_OK;
 }
 
@@ -232,7 +253,7 @@ middles_sum(const struct solid_inside *inside, const struct solid_cells *cells,
 {
 	for (size_t i = 0; i < inside->panes.count; i++) {
 		const struct solid_facet *facet = pane_facet(inside, cells, i);
-		struct tcs_point centre = facet_centre(cells, facet);
+		struct tcs_point centre = inside->panes.at[i].centre;
 
 		for (unsigned j = 0; j < 2; j++) {
 			struct middle *middle = &middles[facet->cells[j]];
@@ -320,13 +341,15 @@ solid_inside_find(struct solid_inside *inside, struct solid_carver *carver,
 		status = cells_begin(inside, cells->cells.count, fault);
 	if (status)
 		return status;
-	for (size_t i = 0; i < inside->panes.count; i++) {
-		const struct solid_facet *facet = pane_facet(inside, cells, i);
+	for (size_t i = 0; i < inside->order.count; i++) {
+		uint32_t pane = inside->order.at[i];
+		const struct solid_facet *facet =
+			pane_facet(inside, cells, pane);
 
 		if (facet->cells[0] != SOLID_OUTSIDE &&
 			facet->cells[1] != SOLID_OUTSIDE)
 			cells_join(inside, facet->cells[0], facet->cells[1],
-				inside->covers.at[i].step);
+				inside->covers.at[pane].step);
 	}
 	return windings_fix(inside, carver, fault);
 }

@@ -26,14 +26,16 @@ struct solid_winding {
 
 /* A facet that is whole. */
 struct solid_pane {
-	double width; /* area to circumference */
+	struct tcs_point centre; /* the mean of its corners */
 	double area;
+	double width; /* area to circumference */
 	uint32_t facet;
 };
 
 /* All zero is empty. */
 struct solid_inside {
-	TCS_ARRAY(struct solid_pane) panes; /* the widest first */
+	TCS_ARRAY(struct solid_pane) panes;
+	struct solid_numbers order; /* panes, the widest first, or nearly so */
 	TCS_ARRAY(struct solid_cover) covers; /* of each pane */
 	TCS_ARRAY(struct solid_winding) windings; /* of each cell */
 	struct solid_numbers parents; /* of each cell, while it is not known */

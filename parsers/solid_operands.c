@@ -46,27 +46,77 @@ origin_along(double lower, double upper, double extent)
 	return fabs(middle) < 16 * extent ? 0 : nearbyint(middle);
 }
 
+enum { SIDES = 6 };
+
+/* Lower x, upper x, lower y, … of a box. */
+static double
+side_get(const struct solid_box *box, unsigned side)
+{
+	const struct tcs_point *at = side % 2 ? &box->upper : &box->lower;
+
+	return side / 2 == 0 ? at->x : side / 2 == 1 ? at->y : at->z;
+}
+
+static void
+side_move(struct solid_box *box, unsigned side, double by)
+{
+	struct tcs_point *at = side % 2 ? &box->upper : &box->lower;
+	double *coordinate = side / 2 == 0 ? &at->x
+		: side / 2 == 1		   ? &at->y
+					   : &at->z;
+
+	*coordinate += side % 2 ? by : -by;
+}
+
+/* Find the sides of the box that a face lies in. */
+static void
+sides_find(const struct solid *solid, const struct solid_box *box,
+	double tolerance, bool flush[SIDES])
+{
+	for (size_t i = 0; i < solid->faces.count; i++) {
+		const struct solid_face *face = &solid->faces.at[i];
+		struct solid_box own = {{INFINITY, INFINITY, INFINITY},
+			{-INFINITY, -INFINITY, -INFINITY}};
+
+		for (size_t j = 0; j < face->ring_count; j++) {
+			size_t count;
+			const struct tcs_point *ring =
+				solid_ring(solid, face->first_ring + j, &count);
+
+			for (size_t k = 0; k < count; k++)
+				box_add(&own,
+					&(struct solid_box){ring[k], ring[k]});
+		}
+		for (unsigned j = 0; j < SIDES; j++)
+			flush[j] |= fabs(side_get(&own, j ^ 1) -
+					    side_get(box, j)) <= tolerance;
+	}
+}
+
+/* A side that no face of a closed host lies in is moved away from it. */
 struct solid_box
 solid_cutter_box(struct solid_cutter *cutter)
 {
 	struct solid_box box = {cutter->host.lower, cutter->host.upper};
-	double extent, room;
+	bool flush[SIDES] = {false};
+	double extent;
 
 	for (size_t i = 0; i < cutter->tools.count; i++)
 		if (cutter->tools.at[i].used &&
 			cutter->task->operation == SOLID_UNION)
 			box_add(&box, &cutter->tools.at[i].box);
+	if (cutter->host.closed)
+		sides_find(
+			cutter->task->host, &box, cutter->tolerance / 8, flush);
 	extent = box_extent(&box);
-	room = 0.03125 * extent + 64 * cutter->tolerance;
 	cutter->origin = (struct tcs_point){
 		origin_along(box.lower.x, box.upper.x, extent),
 		origin_along(box.lower.y, box.upper.y, extent),
 		origin_along(box.lower.z, box.upper.z, extent)};
 	box.lower = point_minus(box.lower, cutter->origin);
 	box.upper = point_minus(box.upper, cutter->origin);
-	box.lower =
-		point_minus(box.lower, (struct tcs_point){room, room, room});
-	box.upper = point_plus(box.upper, (struct tcs_point){room, room, room});
+	for (unsigned i = 0; i < SIDES; i++)
+		side_move(&box, i, flush[i] ? 0 : 64 * cutter->tolerance);
 	return box;
 }
 
