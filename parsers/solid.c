@@ -25,7 +25,7 @@ solid_ring(const struct solid *solid, size_t ring, size_t *count)
 	size_t first = ring ? solid->ring_ends.at[ring - 1] : 0;
 
 	*count = solid->ring_ends.at[ring] - first;
-	return solid->points.at + first;
+	return *count ? solid->points.at + first : NULL;
 }
 
 enum tcs_status

@@ -54,7 +54,7 @@ struct solid {
 void solid_release(struct solid *solid);
 void solid_clear(struct solid *solid); /* keeps the room */
 
-/* The points of a ring. */
+/* The points of a ring; NULL where it has none. */
 const struct tcs_point *solid_ring(
 	const struct solid *solid, size_t ring, size_t *count);
 

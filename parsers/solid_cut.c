@@ -188,11 +188,10 @@ host_fault(const struct solid_cutter *cutter)
 {
 	const struct solid_measure *host = &cutter->host;
 
-	if (!host->closed)
-		return cutter->task->operation == SOLID_UNION
-			? "the host is not closed"
-			: NULL;
-	return fabs(host->volume) > host->area / 2 * cutter->tolerance
+	if (cutter->task->operation == SOLID_UNION)
+		return host->closed ? NULL : "the host is not closed";
+	return !host->closed ||
+			fabs(host->volume) > host->area / 2 * cutter->tolerance
 		? NULL
 		: "the host has no volume";
 }

@@ -127,6 +127,7 @@ loop_walk(struct solid_outline *outline, struct solid_view view, uint32_t start,
 			loop.count++;
 		}
 		rim->used = at != start;
+		rim->loop = (uint32_t)outline->loops.count;
 		at = rim_after(outline, view, at);
 	} while (at != start && at != UINT32_MAX);
 	outline->rims.at[start].used = true;

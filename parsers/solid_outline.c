@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "solid_loops.h"
+#include "solid_slivers.h"
 
 void
 solid_outline_release(struct solid_outline *outline)
@@ -12,6 +13,8 @@ solid_outline_release(struct solid_outline *outline)
 	array_release(&outline->numbers);
 	array_release(&outline->rims);
 	array_release(&outline->face_rims);
+	array_release(&outline->sorted);
+	array_release(&outline->spans);
 	array_release(&outline->rim_ends);
 	array_release(&outline->face_fragments);
 	array_release(&outline->joints);
@@ -105,16 +108,15 @@ rim_order(const void *left, const void *right)
 	return (a_high > b_high) - (a_high < b_high);
 }
 
-/* Keep of equal edges those that no edge the other way round cancels out. */
-static enum tcs_status
-rims_cancel(struct solid_outline *outline, struct tcs_fault *fault)
+enum tcs_status
+solid_outline_cancel(struct solid_outline *outline, struct solid_rim *rims,
+	size_t count, struct tcs_fault *fault)
 {
-	const struct solid_rim *rims = outline->face_rims.at;
-	size_t count = outline->face_rims.count, end;
+	size_t end;
 
 	if (!count)
 		return TCS_OK;
-	qsort(outline->face_rims.at, count, sizeof *rims, rim_order);
+	qsort(rims, count, sizeof *rims, rim_order);
 	if (array_grow(&outline->rims, count))
 		return fault_memory(fault);
 	for (size_t first = 0; first < count; first = end) {
@@ -162,7 +164,9 @@ rims_collect(struct solid_outline *outline, const struct solid_cells *cells,
 			status = fragment_rims(
 				outline, cells, &fragments[end], fault);
 		if (!status)
-			status = rims_cancel(outline, fault);
+			status = solid_outline_cancel(outline,
+				outline->face_rims.at, outline->face_rims.count,
+				fault);
 		if (status)
 			break;
 		if (array_grow(&outline->rim_ends, 1) ||
@@ -200,7 +204,7 @@ joint_meet(
 }
 
 static enum tcs_status
-joints_find(struct solid_outline *outline, struct tcs_fault *fault)
+joints_begin(struct solid_outline *outline, struct tcs_fault *fault)
 {
 	size_t count = outline->weld.points.count;
 
@@ -210,6 +214,12 @@ joints_find(struct solid_outline *outline, struct tcs_fault *fault)
 	for (size_t i = 0; i < count; i++)
 		outline->joints.at[outline->joints.count++] =
 			(struct solid_joint){.count = 0};
+	return TCS_OK;
+}
+
+static void
+joints_find(struct solid_outline *outline)
+{
 	for (size_t i = 0; i < outline->rims.count; i++) {
 		const struct solid_rim *rim = &outline->rims.at[i];
 
@@ -218,7 +228,6 @@ joints_find(struct solid_outline *outline, struct tcs_fault *fault)
 		joint_meet(
 			&outline->joints.at[rim->to], rim->from, rim->planes);
 	}
-	return TCS_OK;
 }
 
 /* ---- faces ------------------------------------------------------------------- */
@@ -298,7 +307,11 @@ solid_outline_write(struct solid_outline *outline,
 	if (!status)
 		status = rims_collect(outline, &carver->cells, fault);
 	if (!status)
-		status = joints_find(outline, fault);
+		status = joints_begin(outline, fault);
+	if (!status)
+		status = solid_slivers_join(outline, carver, fault);
+	if (!status)
+		joints_find(outline);
 	for (size_t i = 0; !status && i < outline->rim_ends.count; i++)
 		status = face_write(outline, carver, i, origin, out, fault);
 	return status;

@@ -13,6 +13,7 @@ struct solid_fragment {
 	uint32_t facet, plane;
 	uint32_t origin, face, label; /* as in struct solid_face */
 	bool up; /* it looks where the plane's normal points to */
+	bool named; /* origin, face and label are known */
 };
 
 TCS_ARRAY_TYPE(solid_fragments, struct solid_fragment);
@@ -22,8 +23,11 @@ struct solid_rim {
 	uint32_t from, to; /* points */
 	uint32_t planes[2]; /* whose line it lies on, the lower first */
 	uint32_t next; /* another edge of the face from the same point, + 1 */
+	uint32_t face, loop;
 	bool used;
 };
+
+TCS_ARRAY_TYPE(solid_rims, struct solid_rim);
 
 /* A point of the result, and what edges meet there. */
 struct solid_joint {
@@ -41,14 +45,24 @@ struct solid_loop {
 	uint32_t owner; /* of a hole: the loop around it */
 };
 
+/* What is known of a loop when those of all faces are looked at. */
+struct solid_span {
+	double area, length, longest;
+	uint32_t rim; /* the longest */
+	uint32_t face;
+	uint32_t parent; /* the loop that it is joined to; itself: to none */
+};
+
 /* All zero is empty. */
 struct solid_outline {
 	struct solid_weld weld;
 	struct solid_fragments fragments;
 	struct solid_numbers numbers; /* of each corner: its point, or
 	                                 UINT32_MAX */
-	TCS_ARRAY(struct solid_rim) rims; /* face by face */
-	TCS_ARRAY(struct solid_rim) face_rims; /* before they cancel out */
+	struct solid_rims rims; /* face by face */
+	struct solid_rims face_rims; /* before they cancel out */
+	struct solid_rims sorted;
+	TCS_ARRAY(struct solid_span) spans; /* of all faces */
 	struct solid_numbers rim_ends; /* of each face */
 	struct solid_numbers face_fragments; /* one of each face */
 	TCS_ARRAY(struct solid_joint) joints; /* of each point */
@@ -65,6 +79,12 @@ struct solid_outline {
 enum tcs_status solid_outline_write(struct solid_outline *outline,
 	const struct solid_carver *carver, struct tcs_point origin,
 	struct solid *out, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Append to outline->rims those of one face that none the other way round
+ * cancels out. `rims` becomes sorted. Fails with TCS_NO_MEMORY. */
+enum tcs_status solid_outline_cancel(struct solid_outline *outline,
+	struct solid_rim *rims, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 void solid_outline_release(struct solid_outline *outline);
 

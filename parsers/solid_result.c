@@ -15,16 +15,23 @@ belongs(const struct solid_cutter *cutter, uint32_t cell)
 	return host || tools;
 }
 
-/* The piece that a facet of the result comes from, host's pieces first. */
+/*
+ * The piece that a facet of the result comes from: of the host's rather than of
+ * a tool's, and one that looks the right way rather than one that does not.
+ */
 static uint32_t
 piece_of(const struct solid_cutter *cutter, const struct solid_cover *cover,
 	bool up)
 {
 	bool over = cutter->task->operation == SOLID_DIFFERENCE ? !up : up;
-	uint32_t host = cover->pieces[HOST][!up];
-	uint32_t tool = cover->pieces[TOOLS][!over];
+	const uint32_t choice[4] = {cover->pieces[HOST][!up],
+		cover->pieces[TOOLS][!over], cover->pieces[HOST][up],
+		cover->pieces[TOOLS][over]};
 
-	return host != SOLID_NO_FACE ? host : tool;
+	for (unsigned i = 0; i < 4; i++)
+		if (choice[i] != SOLID_NO_FACE)
+			return choice[i];
+	return SOLID_NO_FACE;
 }
 
 static void
@@ -43,6 +50,7 @@ fragment_name(const struct solid_cutter *cutter, size_t pane,
 		fragment->origin = piece->origin;
 		fragment->face = piece->face;
 		fragment->label = piece->label;
+		fragment->named = true;
 		return;
 	}
 	for (size_t i = 0; i < task->half_space_count; i++) {
@@ -50,6 +58,7 @@ fragment_name(const struct solid_cutter *cutter, size_t pane,
 			continue;
 		fragment->origin = (uint32_t)(1 + task->tool_count + i);
 		fragment->label = task->half_spaces[i].label;
+		fragment->named = true;
 		return;
 	}
 }
