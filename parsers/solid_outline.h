@@ -51,6 +51,8 @@ struct solid_span {
 	uint32_t rim; /* the longest */
 	uint32_t face;
 	uint32_t parent; /* the loop that it is joined to; itself: to none */
+	uint32_t wish; /* one that it may be joined to, or UINT32_MAX */
+	double off; /* how far it reaches from that one's plane */
 };
 
 /* All zero is empty. */

@@ -113,27 +113,13 @@ loop_beyond(const struct solid_outline *outline, const struct solid_rim *sorted,
 	return UINT32_MAX;
 }
 
-static uint32_t
-span_root(const struct solid_outline *outline, uint32_t loop)
-{
-	while (outline->spans.at[loop].parent != loop)
-		loop = outline->spans.at[loop].parent;
-	return loop;
-}
-
 static bool
 is_narrow(const struct solid_span *span, double tolerance)
 {
 	return 2 * fabs(span->area) <= tolerance * span->length;
 }
 
-static bool
-is_unnamed(const struct solid_fragment *fragment)
-{
-	return !fragment->named;
-}
-
-static const struct solid_fragment *
+static struct solid_fragment *
 span_fragment(const struct solid_outline *outline, uint32_t loop)
 {
 	uint32_t face = outline->spans.at[loop].face;
@@ -141,35 +127,83 @@ span_fragment(const struct solid_outline *outline, uint32_t loop)
 	return &outline->fragments.at[outline->face_fragments.at[face]];
 }
 
-/* Link narrow loops to those beyond, and name the faces of the others. */
+/* Let the face of a loop that has no name have that of the one beyond. */
 static void
-spans_link(struct solid_outline *outline, const struct solid_rim *sorted,
+spans_name(struct solid_outline *outline, const struct solid_rim *sorted)
+{
+	for (uint32_t i = 0; i < outline->spans.count; i++) {
+		struct solid_fragment *own = span_fragment(outline, i);
+		uint32_t beyond = own->named ? UINT32_MAX
+					     : loop_beyond(outline, sorted, i);
+		const struct solid_fragment *other;
+
+		if (beyond == UINT32_MAX)
+			continue;
+		other = span_fragment(outline, beyond);
+		own->origin = other->origin;
+		own->face = other->face;
+		own->label = other->label;
+		own->named = other->named;
+	}
+}
+
+/* Find for every narrow loop that is not joined what it may be joined to: a
+ * loop that is not narrow, or what that is joined to. */
+static void
+wishes_find(struct solid_outline *outline, const struct solid_rim *sorted,
 	double tolerance)
 {
 	for (uint32_t i = 0; i < outline->spans.count; i++) {
 		struct solid_span *span = &outline->spans.at[i];
-		struct solid_fragment *own =
-			&outline->fragments
-				 .at[outline->face_fragments.at[span->face]];
-		bool narrow = is_narrow(span, tolerance);
-		uint32_t beyond = narrow || is_unnamed(own)
-			? loop_beyond(outline, sorted, i)
-			: UINT32_MAX;
+		uint32_t beyond, parent;
 
+		span->wish = UINT32_MAX;
+		span->off = 0;
+		if (span->parent != i || !is_narrow(span, tolerance))
+			continue;
+		beyond = loop_beyond(outline, sorted, i);
 		if (beyond == UINT32_MAX)
 			continue;
-		if (narrow && span_root(outline, beyond) != i)
-			span->parent = beyond;
-		if (is_unnamed(own)) {
-			const struct solid_fragment *other =
-				span_fragment(outline, beyond);
-
-			own->origin = other->origin;
-			own->face = other->face;
-			own->label = other->label;
-			own->named = other->named;
-		}
+		parent = outline->spans.at[beyond].parent;
+		if (parent != beyond ||
+			!is_narrow(&outline->spans.at[beyond], tolerance))
+			span->wish = parent;
 	}
+}
+
+/* How far the points of a loop are off the plane of what it may be joined to. */
+static void
+wishes_measure(struct solid_outline *outline, const struct solid_plane *planes)
+{
+	for (size_t i = 0; i < outline->rims.count; i++) {
+		const struct solid_rim *rim = &outline->rims.at[i];
+		struct solid_span *span = &outline->spans.at[rim->loop];
+		const struct solid_plane *plane;
+
+		if (span->wish == UINT32_MAX)
+			continue;
+		plane = &planes[span_fragment(outline, span->wish)->plane];
+		span->off = fmax(span->off,
+			fabs(solid_plane_distance(
+				plane, outline->weld.points.at[rim->from])));
+	}
+}
+
+/* Join what lies in the plane of the face beyond; false when nothing does. */
+static bool
+spans_join(struct solid_outline *outline, double tolerance)
+{
+	bool joined = false;
+
+	for (size_t i = 0; i < outline->spans.count; i++) {
+		struct solid_span *span = &outline->spans.at[i];
+
+		if (span->wish == UINT32_MAX || span->off > 2 * tolerance)
+			continue;
+		span->parent = span->wish;
+		joined = true;
+	}
+	return joined;
 }
 
 /* ---- edges by face again ----------------------------------------------------- */
@@ -193,8 +227,9 @@ rims_regroup(struct solid_outline *outline, struct tcs_fault *fault)
 	for (size_t i = 0; i < count; i++) {
 		struct solid_rim *rim = &outline->rims.at[i];
 
-		rim->face =
-			outline->spans.at[span_root(outline, rim->loop)].face;
+		uint32_t parent = outline->spans.at[rim->loop].parent;
+
+		rim->face = outline->spans.at[parent].face;
 	}
 	qsort(outline->rims.at, count, sizeof *outline->rims.at, face_order);
 	array_clear(&outline->sorted);
@@ -216,6 +251,8 @@ rims_regroup(struct solid_outline *outline, struct tcs_fault *fault)
 	return status;
 }
 
+enum { MOST_ROUNDS = 8 }; /* of slivers beyond slivers */
+
 enum tcs_status
 solid_slivers_join(struct solid_outline *outline,
 	const struct solid_carver *carver, struct tcs_fault *fault)
@@ -227,7 +264,7 @@ solid_slivers_join(struct solid_outline *outline,
 
 	for (uint32_t i = 0; !status && i < outline->spans.count; i++)
 		needed |= is_narrow(&outline->spans.at[i], tolerance) ||
-			is_unnamed(span_fragment(outline, i));
+			!span_fragment(outline, i)->named;
 	if (status || !needed)
 		return status;
 	array_clear(&outline->sorted);
@@ -237,6 +274,13 @@ solid_slivers_join(struct solid_outline *outline,
 		outline->sorted.at[outline->sorted.count++] =
 			outline->rims.at[i];
 	qsort(outline->sorted.at, count, sizeof *outline->sorted.at, rim_order);
-	spans_link(outline, outline->sorted.at, tolerance);
+	for (unsigned i = 0; i < MOST_ROUNDS; i++)
+		spans_name(outline, outline->sorted.at);
+	for (unsigned i = 0; i < MOST_ROUNDS; i++) {
+		wishes_find(outline, outline->sorted.at, tolerance);
+		wishes_measure(outline, carver->planes.list.at);
+		if (!spans_join(outline, tolerance))
+			break;
+	}
 	return rims_regroup(outline, fault);
 }
