@@ -87,14 +87,12 @@ rim_order(const void *left, const void *right)
 	return order ? order : (a->loop > b->loop) - (a->loop < b->loop);
 }
 
-/* The loop that runs the other way along the loop's longest edge. `sorted` are
- * all rims. UINT32_MAX: none. */
+/* The loop beyond an edge, which has it the other way round. `sorted` are all
+ * rims. UINT32_MAX: none but its own. */
 static uint32_t
 loop_beyond(const struct solid_outline *outline, const struct solid_rim *sorted,
-	uint32_t loop)
+	const struct solid_rim *rim)
 {
-	const struct solid_rim *rim =
-		&outline->rims.at[outline->spans.at[loop].rim];
 	const struct solid_rim key = {.from = rim->to, .to = rim->from};
 	size_t low = 0, high = outline->rims.count;
 
@@ -108,7 +106,7 @@ loop_beyond(const struct solid_outline *outline, const struct solid_rim *sorted,
 	}
 	for (; low < outline->rims.count && !order_by_ends(&sorted[low], &key);
 		low++)
-		if (sorted[low].loop != loop)
+		if (sorted[low].loop != rim->loop)
 			return sorted[low].loop;
 	return UINT32_MAX;
 }
@@ -127,14 +125,16 @@ span_fragment(const struct solid_outline *outline, uint32_t loop)
 	return &outline->fragments.at[outline->face_fragments.at[face]];
 }
 
-/* Let the face of a loop that has no name have that of the one beyond. */
+/* Let faces without a name have that of one beyond one of their edges. */
 static void
 spans_name(struct solid_outline *outline, const struct solid_rim *sorted)
 {
-	for (uint32_t i = 0; i < outline->spans.count; i++) {
-		struct solid_fragment *own = span_fragment(outline, i);
-		uint32_t beyond = own->named ? UINT32_MAX
-					     : loop_beyond(outline, sorted, i);
+	for (size_t i = 0; i < outline->rims.count; i++) {
+		const struct solid_rim *rim = &outline->rims.at[i];
+		struct solid_fragment *own = span_fragment(outline, rim->loop);
+		uint32_t beyond = own->named
+			? UINT32_MAX
+			: loop_beyond(outline, sorted, rim);
 		const struct solid_fragment *other;
 
 		if (beyond == UINT32_MAX)
@@ -161,7 +161,8 @@ wishes_find(struct solid_outline *outline, const struct solid_rim *sorted,
 		span->off = 0;
 		if (span->parent != i || !is_narrow(span, tolerance))
 			continue;
-		beyond = loop_beyond(outline, sorted, i);
+		beyond = loop_beyond(
+			outline, sorted, &outline->rims.at[span->rim]);
 		if (beyond == UINT32_MAX)
 			continue;
 		parent = outline->spans.at[beyond].parent;
