@@ -236,23 +236,22 @@ items_forget(struct solid_carver *carver, const struct solid_job *job,
 	uint32_t plane)
 {
 	struct solid_items *items = &carver->items;
-	size_t kept = job->first_item, kept_points = job->first_point;
-	size_t at = job->first_point, count = items->list.count;
+	size_t count = items->list.count, kept = job->first_item;
+	const struct tcs_point *from = items->points.at + job->first_point;
+	struct tcs_point *to = items->points.at + job->first_point;
 
 	for (size_t i = job->first_item; i < count; i++) {
 		struct solid_item item = items->list.at[i];
 
 		if (carver->pieces.list.at[item.piece].plane != plane) {
-			memmove(items->points.at + kept_points,
-				items->points.at + at,
-				item.count * sizeof *items->points.at);
-			kept_points += item.count;
+			memmove(to, from, item.count * sizeof *to);
+			to += item.count;
 			items->list.at[kept++] = item;
 		}
-		at += item.count;
+		from += item.count;
 	}
 	items->list.count = kept;
-	items->points.count = kept_points;
+	items->points.count = (size_t)(to - items->points.at);
 	return kept < count;
 }
 
