@@ -55,7 +55,7 @@ pane_of(const struct solid_cells *cells, uint32_t number)
 
 enum { WIDTHS = 128 };
 
-/* Each a factor of 2, from 2¹⁵ m on downwards. */
+/* Each a factor of 2, from 2⁴⁰ on downwards. */
 static unsigned
 width_class(double width)
 {
@@ -64,7 +64,7 @@ width_class(double width)
 	if (!(width > 0))
 		return WIDTHS - 1;
 	frexp(width, &exponent);
-	exponent = 16 - exponent;
+	exponent = 41 - exponent;
 	return exponent < 0		 ? 0
 		: exponent >= WIDTHS - 1 ? WIDTHS - 1
 					 : (unsigned)exponent;
