@@ -1,6 +1,6 @@
 #!/bin/bash
-# The samples are what maketown writes, they are valid CityGML, and their
-# solids are closed.
+# The samples are what maketown and makehouse write; the towns are valid CityGML
+# and their solids closed.
 
 # shellcheck source=tests/check.sh
 . "$(dirname "$0")/../check.sh"
@@ -20,6 +20,11 @@ closed() {
 
 sample_is_what_maketown_writes() {
 	"$maketown" --citygml "$1" | cmp - "$SAMPLES/town-$1.gml"
+}
+
+house_is_what_makehouse_writes() {
+	"$BUILD/samples/makehouse" --schema "$1" |
+		cmp - "$SAMPLES/house-$1.ifc"
 }
 
 sample_is_valid() {
@@ -107,6 +112,9 @@ for version in 1.0 2.0 3.0; do
 	fi
 	run_test each_lod_is_valid_and_closed $version
 	run_test walls_are_shared_everywhere $version
+done
+for schema in IFC2X3 IFC4; do
+	run_test house_is_what_makehouse_writes $schema
 done
 run_test open_solids_are_noticed
 run_test turned_solids_are_noticed
