@@ -125,7 +125,7 @@ name_broken(const struct compare_side *before, struct compare_result *result,
 /* What it takes to load a side, and how that ended. */
 struct loading {
 	struct compare_side *side;
-	const struct tcs_object *object;
+	const struct compared_object *from;
 	int lod;
 	struct frame frame;
 	enum tcs_status status;
@@ -139,22 +139,36 @@ load_one(void *context, size_t piece, size_t first, size_t end)
 
 	(void)first;
 	(void)end;
-	loading->status = side_load(loading->side, loading->object,
-		loading->lod, &loading->frame, &loading->fault);
+	loading->status = side_load(loading->side, loading->from->object,
+		loading->from->placed, loading->lod, &loading->frame,
+		&loading->fault);
 }
 
-/* Metres from a point of the object, so that nothing is lost far from 0. */
+/* A point of the object, so that nothing is lost far from 0. */
+static struct tcs_point
+choose_origin(const struct tcs_object *before, const struct tcs_object *after)
+{
+	const struct tcs_object *both[2] = {before, after};
+
+	for (int i = 0; i < 2; i++) {
+		if (both[i] && both[i]->vertices.count)
+			return both[i]->vertices.at[0];
+		if (both[i] && both[i]->instances.count)
+			return both[i]->instances.at[0].anchor;
+	}
+	return (struct tcs_point){0, 0, 0};
+}
+
 static enum tcs_status
 load_sides(struct comparer *comparer, const struct compare_settings *settings,
-	const struct tcs_object *before, const struct tcs_object *after,
-	struct tcs_fault *fault)
+	const struct compared_object pair[2], struct tcs_fault *fault)
 {
-	const struct tcs_object *one =
-		before && before->vertices.count ? before : after;
-	struct tcs_point origin = {0, 0, 0};
+	const struct tcs_object *before = pair[0].object;
+	const struct tcs_object *after = pair[1].object;
+	struct tcs_point origin = choose_origin(before, after);
 	struct loading sides[2] = {
-		{.side = &comparer->before, .object = before},
-		{.side = &comparer->after, .object = after},
+		{.side = &comparer->before, .from = &pair[0]},
+		{.side = &comparer->after, .from = &pair[1]},
 	};
 	unsigned jobs = before && after &&
 			before->triangles.count + after->triangles.count >=
@@ -163,8 +177,6 @@ load_sides(struct comparer *comparer, const struct compare_settings *settings,
 		: 1;
 	enum tcs_status status;
 
-	if (one && one->vertices.count)
-		origin = one->vertices.at[0];
 	for (int i = 0; i < 2; i++) {
 		sides[i].lod = settings->lods[i];
 		sides[i].side->set.jobs = jobs;
@@ -232,8 +244,8 @@ differs(const struct compare_result *result)
 enum tcs_status
 compare_objects(struct comparer *comparer,
 	const struct compare_settings *settings,
-	const struct tcs_object *before, const struct tcs_object *after,
-	struct compare_result *result, struct tcs_fault *fault)
+	const struct compared_object pair[2], struct compare_result *result,
+	struct tcs_fault *fault)
 {
 	enum tcs_status status;
 	double eps;
@@ -244,7 +256,7 @@ compare_objects(struct comparer *comparer,
 	result->lost.count = 0;
 	for (int i = 0; i < PICTURE_COUNT; i++)
 		array_clear(&result->pictures.png[i]);
-	status = load_sides(comparer, settings, before, after, fault);
+	status = load_sides(comparer, settings, pair, fault);
 	if (status)
 		return status;
 	eps = settings->eps > 0 ? settings->eps
@@ -260,8 +272,9 @@ compare_objects(struct comparer *comparer,
 	if (!status && settings->pictures && differs(result))
 		status = object_pictures_draw(&comparer->before,
 			&comparer->after,
-			(const struct tcs_object *[]){before, after}, 4 * eps,
-			&result->pictures, fault);
+			(const struct tcs_object *[]){
+				pair[0].object, pair[1].object},
+			4 * eps, &result->pictures, fault);
 	return status;
 }
 

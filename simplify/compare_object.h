@@ -32,14 +32,20 @@ struct compare_result {
 	struct object_pictures pictures; /* empty without difference */
 };
 
+/* An object and the prototypes of its instances; see side_load. */
+struct compared_object {
+	const struct tcs_object *object; /* NULL: is not there */
+	const struct tcs_object *const *placed;
+};
+
 /*
- * Compare; NULL is an object that is not there. Both are not NULL at once.
- * Fails with TCS_NO_MEMORY, TCS_LIMIT.
+ * Compare. One of both is there. Fails with TCS_NO_MEMORY, TCS_LIMIT,
+ * TCS_SYSTEM.
  */
 enum tcs_status compare_objects(struct comparer *comparer,
 	const struct compare_settings *settings,
-	const struct tcs_object *before, const struct tcs_object *after,
-	struct compare_result *result, struct tcs_fault *fault) TCS_CHECKED;
+	const struct compared_object pair[2], struct compare_result *result,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 void comparer_release(struct comparer *comparer);
 void compare_result_release(struct compare_result *result);

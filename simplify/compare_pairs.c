@@ -8,6 +8,7 @@ pair_object_free(struct pair_object *object)
 {
 	if (!object)
 		return;
+	array_release(&object->placed);
 	object_release(&object->object);
 	record_release(&object->record);
 	free(object);
@@ -35,6 +36,9 @@ open_stream(struct pair_stream *stream, const char *name, uint64_t max_record,
 static void
 close_stream(struct pair_stream *stream)
 {
+	for (size_t i = 0; i < stream->prototypes.count; i++)
+		pair_object_free(stream->prototypes.at[i]);
+	array_release(&stream->prototypes);
 	reader_release(&stream->reader);
 	head_release(&stream->head);
 	record_release(&stream->record);
@@ -42,9 +46,9 @@ close_stream(struct pair_stream *stream)
 		fclose(stream->file);
 }
 
-/* The next object, other records passed over; NULL at the end. */
+/* The next object or prototype, other records passed over; NULL at the end. */
 static enum tcs_status
-next_object(struct pair_stream *stream, struct pair_object **out,
+next_mesh(struct pair_stream *stream, struct pair_object **out,
 	struct tcs_fault *fault)
 {
 	struct pair_object *object;
@@ -59,16 +63,68 @@ next_object(struct pair_stream *stream, struct pair_object **out,
 	do
 		status = reader_next(&stream->reader, &object->record, fault);
 	while (!status && !stream->reader.ended &&
-		object->record.type != TCS_OBJECT);
+		object->record.type != TCS_OBJECT &&
+		object->record.type != TCS_PROTOTYPE);
 	if (!status && !stream->reader.ended)
 		status = object_decode(&object->object, &object->record, fault);
 	if (status || stream->reader.ended) {
 		pair_object_free(object);
 		return status;
 	}
-	stream->instances += object->object.instances.count;
 	*out = object;
 	return TCS_OK;
+}
+
+static enum tcs_status
+keep_prototype(struct pair_stream *stream, struct pair_object *prototype,
+	struct tcs_fault *fault)
+{
+	if (array_grow(&stream->prototypes, 1)) {
+		pair_object_free(prototype);
+		return fault_memory(fault);
+	}
+	stream->prototypes.at[stream->prototypes.count++] = prototype;
+	return TCS_OK;
+}
+
+/* Decoding has checked that the prototypes stand before the object. */
+static enum tcs_status
+find_placed(const struct pair_stream *stream, struct pair_object *object,
+	struct tcs_fault *fault)
+{
+	size_t count = object->object.instances.count;
+
+	if (array_grow(&object->placed, count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < count; i++)
+		object->placed.at[i] =
+			&stream->prototypes
+				 .at[object->object.instances.at[i].prototype]
+				 ->object;
+	object->placed.count = count;
+	return TCS_OK;
+}
+
+/* The next object; NULL at the end. */
+static enum tcs_status
+next_object(struct pair_stream *stream, struct pair_object **out,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = next_mesh(stream, out, fault);
+
+	while (!status && *out && (*out)->record.type == TCS_PROTOTYPE) {
+		status = keep_prototype(stream, *out, fault);
+		*out = NULL;
+		if (!status)
+			status = next_mesh(stream, out, fault);
+	}
+	if (!status && *out)
+		status = find_placed(stream, *out, fault);
+	if (status) {
+		pair_object_free(*out);
+		*out = NULL;
+	}
+	return status;
 }
 
 /* ---- both ---------------------------------------------------------------- */

@@ -3,7 +3,8 @@
  * other, by id.
  *
  * An object that comes later in the second stream than in the first waits in
- * memory, as do those before it: streams in the same order are never held.
+ * memory, as do those before it: streams in the same order are never held, but
+ * for their prototypes, which objects refer to until pairs_close.
  * Objects with the same id, or with none, are paired in the order they come.
  */
 #ifndef TESSERA_COMPARE_PAIRS_H
@@ -18,6 +19,8 @@
 struct pair_object {
 	struct tcs_record record;
 	struct tcs_object object;
+	TCS_ARRAY(const struct tcs_object *)
+	placed; /* per instance: its prototype; the stream's */
 	struct pair_object *next; /* while it waits, by id */
 };
 
@@ -27,7 +30,7 @@ struct pair_stream {
 	struct tcs_reader reader;
 	struct tcs_head head;
 	struct tcs_record record; /* of the head */
-	uint64_t instances; /* prototypes placed so far, not compared */
+	TCS_ARRAY(struct pair_object *) prototypes; /* so far */
 };
 
 struct pair_queue {

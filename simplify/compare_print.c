@@ -124,10 +124,8 @@ compare_print_end(const struct compare_totals *totals, bool json, FILE *to)
 	}
 	fprintf(to,
 		"],\n \"all\":{\"objects\":%" PRIu64
-		",\"objects_lost\":%" PRIu64 ",\"objects_added\":%" PRIu64
-		",\"instances_left_out\":%" PRIu64,
-		totals->pairs, totals->lost, totals->added,
-		totals->instances[0] + totals->instances[1]);
+		",\"objects_lost\":%" PRIu64 ",\"objects_added\":%" PRIu64,
+		totals->pairs, totals->lost, totals->added);
 	metrics_print_json(&totals->metrics, to);
 	fputs("}}\n", to);
 }

@@ -7,7 +7,6 @@
 struct compare_totals {
 	struct compare_metrics metrics;
 	uint64_t pairs, lost, added; /* objects */
-	uint64_t instances[2]; /* left out */
 };
 
 /* Errors are the stream's. `before` names what was lost; NULL for an object

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "vector.h"
+
 static void
 side_clear(struct compare_side *side)
 {
@@ -78,6 +80,71 @@ take_geometry(struct compare_side *side, const struct tcs_object *object,
 	return status;
 }
 
+/* ---- prototypes ---------------------------------------------------------- */
+
+/* ISO 19136: point = anchor + matrix · (x, y, z, 1), the matrix by rows; over
+   degrees the matrix is in metres. */
+static struct tcs_point
+place_point(const struct frame *frame, const struct tcs_instance *by,
+	struct tcs_point p)
+{
+	const double *m = by->matrix;
+	const struct tcs_point moved = {
+		m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3],
+		m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
+		m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
+
+	if (frame->kind == TCS_CRS_GEOGRAPHIC)
+		return vector_sum(frame_to_local(frame, by->anchor), moved);
+	return frame_to_local(frame, vector_sum(by->anchor, moved));
+}
+
+/* A mirroring matrix turns every triangle inside out. */
+static bool
+mirrors(const struct tcs_instance *by)
+{
+	const double *m = by->matrix;
+	const struct tcs_point x = {m[0], m[4], m[8]}, y = {m[1], m[5], m[9]};
+	const struct tcs_point z = {m[2], m[6], m[10]};
+
+	return vector_dot(vector_cross(x, y), z) < 0;
+}
+
+static enum tcs_status
+take_instance(struct compare_side *side, const struct tcs_object *prototype,
+	const struct tcs_instance *by, const struct frame *frame,
+	struct tcs_fault *fault)
+{
+	bool turned = mirrors(by);
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < prototype->triangles.count; i++) {
+		const uint32_t *from = prototype->triangles.at[i].corner;
+		struct tcs_point corners[3];
+
+		for (int k = 0; k < 3; k++)
+			corners[turned ? 2 - k : k] = place_point(
+				frame, by, prototype->vertices.at[from[k]]);
+		status = component_set_add(
+			&side->set, corners, by->feature, fault);
+	}
+	return status;
+}
+
+static enum tcs_status
+take_instances(struct compare_side *side, const struct tcs_object *object,
+	const struct tcs_object *const *placed, const struct frame *frame,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < object->instances.count; i++)
+		if (side->selection.instances.at[i])
+			status = take_instance(side, placed[i],
+				&object->instances.at[i], frame, fault);
+	return status;
+}
+
 /* ---- trees by feature ---------------------------------------------------- */
 
 /* The triangles, feature by feature: count, then place. */
@@ -138,7 +205,8 @@ build_surfaces(struct compare_side *side, struct tcs_fault *fault)
 }
 
 enum tcs_status
-side_load(struct compare_side *side, const struct tcs_object *object, int lod,
+side_load(struct compare_side *side, const struct tcs_object *object,
+	const struct tcs_object *const *placed, int lod,
 	const struct frame *frame, struct tcs_fault *fault)
 {
 	size_t features = object ? object->features.count : 0;
@@ -158,6 +226,8 @@ side_load(struct compare_side *side, const struct tcs_object *object, int lod,
 		if (side->selection.geometries.at[i])
 			status = take_geometry(side, object,
 				&object->geometries.at[i], frame, fault);
+	if (object && placed && !status)
+		status = take_instances(side, object, placed, frame, fault);
 	if (!status)
 		status = component_set_build(&side->set, fault);
 	if (!status && side->set.triangles.count > 0)

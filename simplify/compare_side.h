@@ -31,10 +31,14 @@ struct compare_side {
 
 /*
  * Take the triangles of an object at a level (see lod_select.h), each polygon
- * once. NULL gives an empty side. Fails with TCS_NO_MEMORY, TCS_LIMIT.
+ * once, and those of the prototypes it places: placed[i] is that of instance i;
+ * NULL instead of the array leaves them out. They belong to the features that
+ * place them. NULL for an object gives an empty side. Fails with TCS_NO_MEMORY,
+ * TCS_LIMIT.
  */
 enum tcs_status side_load(struct compare_side *side,
-	const struct tcs_object *object, int lod, const struct frame *frame,
+	const struct tcs_object *object, const struct tcs_object *const *placed,
+	int lod, const struct frame *frame,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /*

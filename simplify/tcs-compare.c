@@ -60,11 +60,15 @@ compare_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
 {
 	struct run *run = context;
 	struct item *item = slot;
+	struct compared_object pair[2] = {{NULL, NULL}, {NULL, NULL}};
 
-	return compare_objects(&run->comparers[worker], &run->settings,
-		item->pair[0] ? &item->pair[0]->object : NULL,
-		item->pair[1] ? &item->pair[1]->object : NULL, &item->result,
-		fault);
+	for (int i = 0; i < 2; i++)
+		if (item->pair[i])
+			pair[i] =
+				(struct compared_object){&item->pair[i]->object,
+					item->pair[i]->placed.at};
+	return compare_objects(&run->comparers[worker], &run->settings, pair,
+		&item->result, fault);
 }
 
 static enum tcs_status
@@ -171,8 +175,6 @@ compare(struct run *run, const struct command *command,
 		compare_print_begin(options->json, run->out.file);
 	status = crew_run(&plan, command->jobs, fault);
 	progress_end(&run->progress);
-	for (int i = 0; i < 2; i++)
-		run->totals.instances[i] = run->pairs.streams[i].instances;
 	if (!status) {
 		if (options->html)
 			html_print_end(
@@ -216,9 +218,6 @@ report_totals(const struct command *command,
 	if (!status)
 		status = report_add(
 			&report, "objects added", totals->added, fault);
-	if (!status)
-		status = report_add(&report, "instances left out",
-			totals->instances[0] + totals->instances[1], fault);
 	if (!status && command->stats)
 		status = report_write(
 			&report, command->program->name, command->stats, fault);
@@ -243,17 +242,10 @@ run_command(const struct command *command, const struct options *options)
 	struct tcs_fault fault;
 	struct run run = {0};
 	int code = EXIT_DONE;
-	uint64_t left_out;
 
 	if (compare(&run, command, options, &fault) ||
 		report_totals(command, &run.totals, &fault))
 		code = program_fail(command, &fault);
-	left_out = run.totals.instances[0] + run.totals.instances[1];
-	if (!code && left_out)
-		program_warn(command,
-			"%llu placed prototypes were left out of the "
-			"comparison",
-			(unsigned long long)left_out);
 	close_run(&run, command);
 	return code;
 }

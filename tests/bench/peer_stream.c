@@ -206,7 +206,7 @@ simplify(struct simplifier *simplifier, const struct tcs_object *from,
 
 	frame_init(&frame, crs,
 		from->vertices.count ? &from->vertices.at[0] : NULL);
-	status = side_load(side, from, SELECT_HIGHEST, &frame, fault);
+	status = side_load(side, from, NULL, SELECT_HIGHEST, &frame, fault);
 	if (status)
 		return status;
 	count = side->set.triangles.count;
