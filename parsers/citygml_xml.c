@@ -1,36 +1,7 @@
-#include "citygml_xml.h"
-
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <libxml/parser.h>
-#include <libxml/parserInternals.h>
-
-#include "array.h"
-
-/* A start tag that is too long for one piece, seen from outside. */
-struct tag_scan {
-	bool open; /* it has begun, and not ended */
-	char quote; /* that ends the value; 0 between values */
-	unsigned values;
-};
-
-struct xml_parser {
-	const struct xml_handler *handler;
-	const struct xml_limits *limits;
-	struct names *names;
-	xmlParserCtxtPtr context; /* made with the first bytes */
-	TCS_ARRAY(struct xml_attribute) attributes;
-	struct tcs_fault fault; /* the first failure */
-	enum tcs_status status;
-	bool began; /* the root element has been seen */
-	unsigned depth; /* open elements */
-	unsigned skipped; /* of these, in a subtree that is skipped */
-	TCS_ARRAY(char) held; /* to be parsed together with more */
-	struct tag_scan scan;
-	uint64_t fed; /* where the bytes end that libxml2 has got */
-};
+#include "citygml_xml_parser.h"
 
 static void
 xml_stop(struct xml_parser *parser, enum tcs_status status)
@@ -203,15 +174,35 @@ xml_attribute_declared(void *user, const xmlChar *element, const xmlChar *name,
 				xml_line(parser), plain(element)));
 }
 
-/* Errors are collected by libxml2 and read from its context. */
-static void
-xml_quiet(void *user, xmlErrorPtr error)
+enum tcs_status
+xml_malformed(struct xml_parser *parser, const xmlError *error)
 {
-	(void)user;
-	(void)error;
+	const char *text =
+		error && error->message ? error->message : "not well-formed";
+	int line = error ? error->line : 1;
+
+	return fault_set(&parser->fault, TCS_BAD_INPUT, TCS_NOWHERE,
+		"line %d: not well-formed XML: %.*s", line,
+		(int)strcspn(text, "\n"), text);
 }
 
-static xmlSAXHandler
+/*
+ * Errors are collected by libxml2 and read from its context, but for the first
+ * of a piece; that a piece ends within an element is none.
+ */
+static void
+xml_error(void *user, xmlErrorPtr error)
+{
+	struct xml_parser *parser = user;
+
+	if (!parser->in_piece || parser->malformed || parser->status ||
+		error->level < XML_ERR_FATAL ||
+		error->code == XML_ERR_TAG_NOT_FINISHED)
+		return;
+	parser->malformed = xml_malformed(parser, error) != TCS_OK;
+}
+
+xmlSAXHandler
 xml_callbacks(void)
 {
 	return (xmlSAXHandler){
@@ -223,7 +214,7 @@ xml_callbacks(void)
 		.cdataBlock = xml_text,
 		.entityDecl = xml_entity_declared,
 		.attributeDecl = xml_attribute_declared,
-		.serror = xml_quiet,
+		.serror = xml_error,
 	};
 }
 
@@ -263,237 +254,4 @@ xml_line(const struct xml_parser *parser)
 	if (!parser->context || !parser->context->input)
 		return 1;
 	return (uint32_t)parser->context->input->line;
-}
-
-/* ---- places ---------------------------------------------------------------- */
-
-/* The input of a context that takes bytes as they come; else NULL. */
-static const xmlParserInput *
-xml_input_as_fed(const struct xml_parser *parser)
-{
-	const xmlParserInput *input =
-		parser->context ? parser->context->input : NULL;
-
-	return input && input->buf && !input->buf->encoder ? input : NULL;
-}
-
-bool
-xml_place_end(const struct xml_parser *parser, uint64_t *end)
-{
-	const xmlParserInput *input = xml_input_as_fed(parser);
-
-	*end = input ? parser->fed - (uint64_t)(input->end - input->cur) : 0;
-	return input;
-}
-
-/* The parser stands before the end of the tag; no value of it has a '<'. */
-bool
-xml_place_tag(const struct xml_parser *parser, struct xml_stretch *tag)
-{
-	const xmlParserInput *input = xml_input_as_fed(parser);
-	const xmlChar *first;
-
-	*tag = (struct xml_stretch){0};
-	if (!input)
-		return false;
-	tag->line = xml_line(parser);
-	for (first = input->cur; first > input->base && *first != '<'; first--)
-		tag->line -= *first == '\n';
-	tag->end = parser->fed - (uint64_t)(input->end - input->cur) + 1;
-	tag->at = tag->end - 1 - (uint64_t)(input->cur - first);
-	return true;
-}
-
-void
-xml_move(struct xml_parser *parser, uint64_t at, uint32_t line)
-{
-	parser->fed = at;
-	if (parser->context && parser->context->input)
-		parser->context->input->line = (int)line;
-}
-
-/* ---- bytes ------------------------------------------------------------------ */
-
-/* The context takes its first bytes at once, to see the encoding. */
-static enum tcs_status
-xml_begin(struct xml_parser *parser, const char *bytes, int length)
-{
-	xmlSAXHandler callbacks = xml_callbacks();
-
-	parser->context = xmlCreatePushParserCtxt(
-		&callbacks, parser, bytes, length, NULL);
-	if (!parser->context)
-		return fault_memory(&parser->fault);
-	parser->fed += (uint64_t)length;
-	xmlCtxtUseOptions(parser->context,
-		XML_PARSE_HUGE | XML_PARSE_NONET | XML_PARSE_NOENT);
-	return TCS_OK;
-}
-
-static enum tcs_status
-xml_malformed(struct xml_parser *parser)
-{
-	const xmlError *error = xmlCtxtGetLastError(parser->context);
-	const char *text =
-		error && error->message ? error->message : "not well-formed";
-	int line = error ? error->line : 1;
-
-	return fault_set(&parser->fault, TCS_BAD_INPUT, TCS_NOWHERE,
-		"line %d: not well-formed XML: %.*s", line,
-		(int)strcspn(text, "\n"), text);
-}
-
-/*
- * libxml2 looks at an unfinished tag or comment anew, from its first byte, each
- * time more of it comes. So more is held back until it is as long again, and
- * the whole takes time in proportion.
- */
-static size_t
-xml_pending(const struct xml_parser *parser)
-{
-	const xmlParserInput *input = parser->context->input;
-
-	return input ? (size_t)(input->end - input->cur) : 0;
-}
-
-/* Values of attributes on one tag, which libxml2 compares each with each. */
-#define MAX_VALUES 20000
-
-static void
-scan_bytes(struct tag_scan *scan, const char *at, size_t length)
-{
-	for (const char *end = at + length; scan->open && at < end; at++) {
-		if (scan->quote) {
-			if (*at == scan->quote)
-				scan->quote = 0;
-		} else if (*at == '"' || *at == '\'') {
-			scan->quote = *at;
-			scan->values++;
-		} else if (*at == '>') {
-			scan->open = false;
-		}
-	}
-}
-
-/* A tag that the parser waits for the end of; bytes that come are scanned. */
-static void
-scan_begin(struct xml_parser *parser, size_t pending)
-{
-	const char *at;
-
-	parser->scan = (struct tag_scan){0};
-	if (pending < 2)
-		return;
-	at = plain(parser->context->input->cur);
-	parser->scan.open = at[0] == '<' && at[1] != '!' && at[1] != '?';
-	scan_bytes(&parser->scan, at, pending);
-}
-
-static enum tcs_status
-xml_check_tag(struct xml_parser *parser, size_t length)
-{
-	if (length > parser->limits->tag)
-		return fault_set(&parser->fault, TCS_LIMIT, TCS_NOWHERE,
-			"line %u: a tag or comment is longer than %llu bytes "
-			"(--max-tag)",
-			xml_line(parser),
-			(unsigned long long)parser->limits->tag);
-	if (parser->scan.values > MAX_VALUES)
-		return fault_set(&parser->fault, TCS_LIMIT, TCS_NOWHERE,
-			"line %u: an element has more than %d attributes",
-			xml_line(parser), MAX_VALUES);
-	return TCS_OK;
-}
-
-/* Different names of elements, attributes and namespaces, all kept. */
-#define MAX_NAMES 50000
-
-static enum tcs_status
-xml_check_names(struct xml_parser *parser)
-{
-	if (xmlDictSize(parser->context->dict) <= MAX_NAMES)
-		return TCS_OK;
-	return fault_set(&parser->fault, TCS_LIMIT, TCS_NOWHERE,
-		"line %u: there are more than %d different names",
-		xml_line(parser), MAX_NAMES);
-}
-
-/* A carriage return at the end of a chunk is kept back while it is parsed. */
-static void
-xml_parse_part(
-	struct xml_parser *parser, const char *bytes, int length, bool end)
-{
-	bool kept = length && !end && bytes[length - 1] == '\r';
-
-	parser->fed += (uint64_t)(length - kept);
-	xmlParseChunk(parser->context, bytes, length, end);
-	parser->fed += kept;
-}
-
-static enum tcs_status
-xml_parse(
-	struct xml_parser *parser, const char *bytes, size_t length, bool last)
-{
-	while (!parser->status && (length || last)) {
-		int part = length > INT_MAX / 2 ? INT_MAX / 2 : (int)length;
-		bool end = last && (size_t)part == length;
-
-		xml_parse_part(parser, bytes, part, end);
-		if (!parser->status && !parser->context->wellFormed)
-			parser->status = xml_malformed(parser);
-		if (!parser->status)
-			parser->status = xml_check_names(parser);
-		if (end)
-			break;
-		bytes += part;
-		length -= (size_t)part;
-	}
-	parser->held.count = 0;
-	if (!parser->status && !last)
-		scan_begin(parser, xml_pending(parser));
-	return parser->status;
-}
-
-/* Parse what was held back and the bytes, or hold them back too. */
-static enum tcs_status
-xml_push(struct xml_parser *parser, const char *bytes, size_t length, bool last)
-{
-	size_t pending = xml_pending(parser);
-	size_t held = parser->held.count + length;
-
-	if (length)
-		scan_bytes(&parser->scan, bytes, length);
-	parser->status = xml_check_tag(
-		parser, pending > length ? pending + held : pending);
-	if (parser->status || (!parser->held.count && length >= pending))
-		return parser->status ? parser->status
-				      : xml_parse(parser, bytes, length, last);
-	if (array_grow(&parser->held, length))
-		return fault_memory(&parser->fault);
-	if (length)
-		memcpy(parser->held.at + parser->held.count, bytes, length);
-	parser->held.count = held;
-	if (!last && held < pending)
-		return TCS_OK;
-	return xml_parse(parser, parser->held.at, held, last);
-}
-
-enum tcs_status
-xml_feed(struct xml_parser *parser, const char *bytes, size_t length,
-	struct tcs_fault *fault)
-{
-	bool last = length == 0;
-
-	if (!parser->context && !parser->status) {
-		int first = length < 4 ? (int)length : 4;
-
-		parser->status = xml_begin(parser, bytes, first);
-		bytes += first;
-		length -= (size_t)first;
-	}
-	if (!parser->status && (length || last))
-		parser->status = xml_push(parser, bytes, length, last);
-	if (parser->status)
-		*fault = parser->fault;
-	return parser->status;
 }
