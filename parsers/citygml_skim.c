@@ -10,25 +10,27 @@ enum {
 
 /* ---- a quick look ----------------------------------------------------------- */
 
-/* "appearanceMember", found by its rarest letter. */
-static bool
-names_appearances(const char *at, size_t length)
-{
-	static const char before[] = "appearance", after[] = "ember";
-	const size_t ahead = sizeof before - 1, behind = sizeof after - 1;
-	const char *end = at + length;
+static const char appearance[] = "appearance", city_object[] = "cityObject";
 
-	if (length <= ahead + behind)
-		return false;
-	for (at += ahead; at < end - behind; at++) {
-		at = memchr(at, 'M', (size_t)(end - behind - at));
+enum { MEMBER_NAME_LENGTH = 16 }; /* of both, with "Member" */
+
+/* The first of these member names, found by its rarest letter, or NULL. */
+static const char *
+member_name_find(const char *at, const char *end, const char *kind)
+{
+	const size_t ahead = 10, behind_letter = 5;
+
+	if (end - at < MEMBER_NAME_LENGTH)
+		return NULL;
+	for (at += ahead; at < end - behind_letter; at++) {
+		at = memchr(at, 'M', (size_t)(end - behind_letter - at));
 		if (!at)
-			return false;
-		if (!memcmp(at - ahead, before, ahead) &&
-			!memcmp(at + 1, after, behind))
-			return true;
+			return NULL;
+		if (!memcmp(at - ahead, kind, ahead) &&
+			!memcmp(at + 1, "ember", behind_letter))
+			return at - ahead;
 	}
-	return false;
+	return NULL;
 }
 
 TCS_ARRAY_TYPE(skim_bytes, char);
@@ -62,7 +64,7 @@ static enum tcs_status
 look_quickly(struct skim_bytes *bytes, struct input *input, bool *found,
 	struct tcs_fault *fault)
 {
-	const size_t overlap = 16;
+	const size_t overlap = MEMBER_NAME_LENGTH;
 	bool got = true;
 
 	*found = false;
@@ -74,7 +76,8 @@ look_quickly(struct skim_bytes *bytes, struct input *input, bool *found,
 		status = bytes_read(bytes, input, &got, fault);
 		if (status)
 			return status;
-		*found = names_appearances(bytes->at, bytes->count) ||
+		*found = member_name_find(bytes->at, bytes->at + bytes->count,
+				 appearance) ||
 			memchr(bytes->at, 0, bytes->count);
 	}
 	return TCS_OK;
@@ -88,7 +91,10 @@ struct skim {
 	uint64_t at;
 	uint64_t line; /* of byte `at` + `counted` */
 	size_t counted;
-	uint64_t depth; /* open elements */
+	uint64_t depth; /* open elements, but for those below a member */
+	uint64_t members; /* open cityObjectMembers, one in the other */
+	const char *declaration; /* the next one in the bytes; NULL: none */
+	bool declared; /* that is known */
 	bool joins; /* nothing but text since the last part */
 	bool within; /* a part */
 	bool unsure;
@@ -154,30 +160,55 @@ behind_declaration(struct skim *skim, const char *at, const char *end)
 
 /* ---- parts ------------------------------------------------------------------- */
 
+static uint64_t
+newlines(const char *at, size_t length)
+{
+	enum { BLOCK = 128 };
+	uint64_t count = 0;
+
+	for (; length >= BLOCK; at += BLOCK, length -= BLOCK) {
+		unsigned char some = 0;
+
+		for (int i = 0; i < BLOCK; i++)
+			some = (unsigned char)(some + (at[i] == '\n'));
+		count += some;
+	}
+	for (; length; at++, length--)
+		count += *at == '\n';
+	return count;
+}
+
 static void
 lines_count(struct skim *skim, size_t upto)
 {
-	const char *at = skim->bytes.at + skim->counted;
-	const char *end = skim->bytes.at + upto;
-
-	while ((at = memchr(at, '\n', (size_t)(end - at)))) {
-		skim->line++;
-		at++;
-	}
+	skim->line +=
+		newlines(skim->bytes.at + skim->counted, upto - skim->counted);
 	skim->counted = upto;
 }
 
-/* An appearance, or the bounds with the name of the coordinate system. */
+/* The name of a tag without its prefix. */
 static bool
-is_wanted_member(const char *tag)
+is_named(const char *tag, const char *name)
 {
 	size_t length = strcspn(tag, " \t\r\n/>");
 	const char *colon = memchr(tag, ':', length);
 	const char *local = colon ? colon + 1 : tag;
 
 	length -= (size_t)(local - tag);
-	return (length == 16 && !memcmp(local, "appearanceMember", length)) ||
-		(length == 9 && !memcmp(local, "boundedBy", length));
+	return length == strlen(name) && !memcmp(local, name, length);
+}
+
+/* An appearance, or the bounds with the name of the coordinate system. */
+static bool
+is_wanted_member(const char *tag)
+{
+	return is_named(tag, "appearanceMember") || is_named(tag, "boundedBy");
+}
+
+static bool
+is_city_object_member(const char *tag)
+{
+	return is_named(tag, "cityObjectMember");
 }
 
 static enum tcs_status
@@ -224,6 +255,8 @@ start_tag(struct skim *skim, const char *at, const char *behind_tag,
 	}
 	if (skim->depth == 1 && is_wanted_member(at + 1))
 		status = part_begin(skim, at, fault);
+	if (skim->depth == 1 && !empty && is_city_object_member(at + 1))
+		skim->members = 1;
 	if (!empty)
 		skim->depth++;
 	else if (skim->depth == 1)
@@ -266,25 +299,140 @@ markup(struct skim *skim, const char *at, const char *end, const char **next,
 	}
 }
 
-/* All complete markup of the bytes, which are dropped. */
-static enum tcs_status
-bytes_skim(struct skim *skim, struct tcs_fault *fault)
-{
-	const char *first = skim->bytes.at;
-	const char *end = first + skim->bytes.count;
-	const char *at = first, *next = at;
-	enum tcs_status status = TCS_OK;
-	size_t done;
+/* ---- members that are not wanted ---------------------------------------------- */
 
-	while (!status && !skim->unsure && next) {
-		at = memchr(next, '<', (size_t)(end - next));
-		if (!at)
-			at = end;
-		next = NULL;
-		if (at < end)
-			status = markup(skim, at, end, &next, fault);
+/* The next "<!" or "<?". */
+static const char *
+declaration_find(const char *at, const char *end)
+{
+	const char *found = NULL;
+
+	for (int i = 0; i < 2; i++) {
+		const char *mark = at;
+
+		while ((mark = memchr(mark, "!?"[i], (size_t)(end - mark))) &&
+			(mark == at || mark[-1] != '<'))
+			mark++;
+		if (mark) {
+			found = mark - 1;
+			end = mark;
+		}
 	}
-	done = (size_t)(at - first);
+	return found;
+}
+
+/* The tag that a name found behind `at` belongs to; NULL: it is text. */
+static const char *
+tag_of_name(const char *at, const char *name)
+{
+	const char *tag = name;
+
+	if (tag > at && tag[-1] == ':')
+		while (tag > at && !strchr("</ \t\r\n\"'>", tag[-1]))
+			tag--;
+	if (tag > at && tag[-1] == '/')
+		tag--;
+	return tag > at && tag[-1] == '<' ? tag - 1 : NULL;
+}
+
+/* Count a tag with the name of the member it is in; behind the tag. */
+static const char *
+member_tag(struct skim *skim, const char *tag, const char *end)
+{
+	const char *behind_tag = behind_start_tag(tag, end);
+	bool ends = tag[1] == '/';
+
+	if (!behind_tag || !is_city_object_member(tag + 1 + ends))
+		return behind_tag;
+	if (!ends)
+		skim->members += behind_tag[-2] != '/';
+	else if (--skim->members == 0)
+		end_tag(skim, behind_tag);
+	return behind_tag;
+}
+
+/*
+ * Within a member nothing counts but its end, and elements of its name before.
+ * Up to `end`, where nothing is cut; NULL when there is no more, with the rest
+ * to look at again.
+ */
+static const char *
+member_skip(
+	struct skim *skim, const char *at, const char *end, const char **rest)
+{
+	while (skim->members && at && !skim->unsure) {
+		const char *mark, *name, *tag;
+
+		if (!skim->declared ||
+			(skim->declaration && skim->declaration < at)) {
+			skim->declaration = declaration_find(at, end);
+			skim->declared = true;
+		}
+		mark = skim->declaration;
+		name = member_name_find(at, mark ? mark : end, city_object);
+		tag = name ? tag_of_name(at, name) : NULL;
+		*rest = tag ? tag : name ? name : mark ? mark : end;
+		if (tag)
+			at = member_tag(skim, tag, end);
+		else if (name)
+			at = name + MEMBER_NAME_LENGTH;
+		else if (mark && mark[1] == '?')
+			at = behind(mark + 2, end, "?>");
+		else
+			at = mark ? behind_declaration(skim, mark, end) : NULL;
+	}
+	return at;
+}
+
+/* ---- the bytes ------------------------------------------------------------------ */
+
+/* Look at all that is complete up to `end`; the rest begins at *rest. */
+static enum tcs_status
+bytes_skim(struct skim *skim, const char *end, const char **rest,
+	struct tcs_fault *fault)
+{
+	const char *next = skim->bytes.at;
+	enum tcs_status status = TCS_OK;
+
+	skim->declared = false;
+	while (!status && !skim->unsure && next) {
+		if (skim->members) {
+			next = member_skip(skim, next, end, rest);
+			continue;
+		}
+		*rest = memchr(next, '<', (size_t)(end - next));
+		if (!*rest)
+			*rest = end;
+		next = NULL;
+		if (*rest < end)
+			status = markup(skim, *rest, end, &next, fault);
+	}
+	return status;
+}
+
+/* Where the last markup begins if its end is missing. */
+static const char *
+markup_cut(const struct skim_bytes *bytes)
+{
+	const char *end = bytes->at + bytes->count;
+	const char *last = end;
+
+	while (last > bytes->at && *--last != '<')
+		;
+	return bytes->count && *last == '<' && !behind_start_tag(last, end)
+		? last
+		: end;
+}
+
+/* Look at the bytes, and drop what was seen. */
+static enum tcs_status
+bytes_take(struct skim *skim, struct tcs_fault *fault)
+{
+	const char *rest = skim->bytes.at;
+	enum tcs_status status =
+		bytes_skim(skim, markup_cut(&skim->bytes), &rest, fault);
+	size_t done = (size_t)(rest - skim->bytes.at);
+
 	lines_count(skim, done);
 	skim->counted = 0;
 	skim->at += done;
@@ -349,7 +497,7 @@ look_closely(struct skim *skim, struct input *input, struct tcs_fault *fault)
 			skim->unsure = !bytes_are_like_ascii(&skim->bytes);
 		first = false;
 		if (!status)
-			status = bytes_skim(skim, fault);
+			status = bytes_take(skim, fault);
 	}
 	skim->unsure |= skim->depth > 0 || skim->bytes.count;
 	return status;

@@ -86,6 +86,26 @@ what_only_looks_like_one_is_none(void)
 }
 
 static void
+members_are_left_at_their_own_end(void)
+{
+	CHECK(skim("<M><c:cityObjectMember>"
+		   "<!-- </c:cityObjectMember><appearanceMember/> -->"
+		   "<x>cityObjectMember/cityObjectMember</x>"
+		   "<c:cityObjectMember a='>'><appearanceMember/>"
+		   "</c:cityObjectMember><cityObjectMember b='/>'/>"
+		   "<cityObjectMembers a='cityObjectMember'/>"
+		   "<![CDATA[</c:cityObjectMember>]]><?</cityObjectMember>?>"
+		   "<appearanceMember/></c:cityObjectMember >"
+		   "<a:appearanceMember/></M>") == SKIM_PARTS);
+	CHECK(parts.places.count == 1);
+	CHECK(part_is(0, "<a:appearanceMember/>", 1));
+	CHECK(skim("<M><cityObjectMember><appearanceMember/></M>") ==
+		SKIM_UNSURE);
+	CHECK(skim("<M><cityObjectMember><!DOCTYPE appearanceMember>"
+		   "</cityObjectMember></M>") == SKIM_UNSURE);
+}
+
+static void
 what_is_not_certain_is_not_claimed(void)
 {
 	CHECK(skim("<!DOCTYPE M><M><appearanceMember/></M>") == SKIM_UNSURE);
@@ -124,6 +144,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(members_of_the_model_are_found),
 	CHECK_TEST(neighbours_are_one_part),
 	CHECK_TEST(what_only_looks_like_one_is_none),
+	CHECK_TEST(members_are_left_at_their_own_end),
 	CHECK_TEST(what_is_not_certain_is_not_claimed),
 	CHECK_TEST(pieces_do_not_matter),
 	{0},
