@@ -50,6 +50,9 @@ ifc_open(struct ifc_file *file, const struct step_file *step,
 	for (size_t i = 0; i < names; i++)
 		file->entities[i] =
 			(uint16_t)ifc_find(step->names.list.at[i].text);
+	for (int i = 0; i < IFC_ENTITIES; i++)
+		file->supers[i] =
+			(uint16_t)ifc_super(file->version, (enum ifc_entity)i);
 	return TCS_OK;
 }
 
@@ -64,7 +67,11 @@ bool
 ifc_is_kind(
 	const struct ifc_file *file, uint32_t instance, enum ifc_entity kind)
 {
-	return ifc_is(file->version, ifc_entity_of(file, instance), kind);
+	enum ifc_entity entity = ifc_entity_of(file, instance);
+
+	while (entity != kind && entity != IFC_NONE)
+		entity = (enum ifc_entity)file->supers[entity];
+	return entity == kind;
 }
 
 struct step_value

@@ -17,6 +17,7 @@ struct ifc_file {
 	const struct step_file *step; /* borrowed */
 	enum ifc_version version;
 	uint16_t *entities; /* by the number of the instance's name */
+	uint16_t supers[IFC_ENTITIES]; /* of each in this version */
 };
 
 TCS_ARRAY_TYPE(ifc_instances, uint32_t);

@@ -17,16 +17,6 @@ static const struct row rows[IFC_ENTITIES] = {
 #undef X
 };
 
-static const struct {
-	enum ifc_entity entity;
-	const char *versions;
-	enum ifc_entity super;
-} moved[] = {
-#define X(name, versions, super) {IFC_##name, versions, IFC_##super},
-	IFC_MOVED_ROWS(X)
-#undef X
-};
-
 static const char digits[IFC_VERSIONS] = {
 	[IFC_2X3] = '2',
 	[IFC_4] = '4',
@@ -88,11 +78,16 @@ ifc_super(enum ifc_version version, enum ifc_entity entity)
 {
 	char digit = digits[version_near(version, entity)];
 
-	for (size_t i = 0; i < sizeof moved / sizeof *moved; i++)
-		if (moved[i].entity == entity &&
-			strchr(moved[i].versions, digit))
-			return moved[i].super;
-	return rows[entity].super;
+	switch (entity) {
+#define X(name, versions, above) \
+	case IFC_##name: \
+		return strchr(versions, digit) ? IFC_##above \
+					       : rows[entity].super;
+		IFC_MOVED_ROWS(X)
+#undef X
+	default:
+		return rows[entity].super;
+	}
 }
 
 bool
