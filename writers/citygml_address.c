@@ -15,12 +15,6 @@ name_at(const struct composer *composer, uint32_t index)
 	return compose_text(composer, attribute_at(composer, index)->name);
 }
 
-static bool
-is_xml_attribute(const char *name)
-{
-	return *name == '@' && id_is_legal(name + 1);
-}
-
 /* xAL 3 has its attributes in its namespace, but for these. */
 static const char *
 prefix_of(const struct composer *composer, const char *module, const char *name)
@@ -39,9 +33,41 @@ prefix_of(const struct composer *composer, const char *module, const char *name)
 	return "xAL:";
 }
 
+/* Names of XML attributes that an element has got. */
+struct given {
+	const char *names[32];
+	size_t count;
+};
+
+/* Whether it may stand there: a legal name, for the first time. */
+static bool
+may_give(struct given *given, const char *name)
+{
+	const size_t most = sizeof given->names / sizeof *given->names;
+
+	if (!id_is_legal(name) || strlen(name) > 100 ||
+		!strcmp(name, "xmlns") || given->count == most)
+		return false;
+	for (size_t i = 0; i < given->count; i++)
+		if (!strcmp(given->names[i], name))
+			return false;
+	given->names[given->count++] = name;
+	return true;
+}
+
 static void
-write_xml_attributes(
-	struct composer *composer, uint32_t index, const char *module)
+lose(struct composer *composer, const char *item, const char *reason,
+	const char *name)
+{
+	struct tcs_fault fault;
+
+	if (compose_note(composer, REPORT_SKIPPED, item, reason, name, &fault))
+		composer->out->markup.failed = true;
+}
+
+static void
+write_xml_attributes(struct composer *composer, uint32_t index,
+	const char *module, struct given *given)
 {
 	struct markup *markup = &composer->out->markup;
 	uint32_t member = composer->first_member.at[index];
@@ -52,8 +78,14 @@ write_xml_attributes(
 			composer, attribute_at(composer, member)->value);
 		char qualified[128];
 
-		if (!is_xml_attribute(name) || strlen(name) > 100)
+		if (*name != '@')
 			continue;
+		if (!may_give(given, name + 1)) {
+			lose(composer, "attribute of an element",
+				"its name is not legal or stands there twice",
+				name);
+			continue;
+		}
 		strcpy(qualified, prefix_of(composer, module, name + 1));
 		strcat(qualified, name + 1);
 		markup_attribute(markup, qualified, value);
@@ -70,16 +102,17 @@ open_element(struct composer *composer, uint32_t index, const char *module)
 	const char *space = compose_text(composer, attribute->code_space);
 	const char *value = compose_text(composer, attribute->value);
 	struct markup *markup = &composer->out->markup;
+	struct given given = {.count = 0};
 
 	markup_start(markup, module, name);
 	if (compose_is_3(composer) && !strcmp(module, "core") &&
 		!strcmp(name, "Address"))
 		markup_attribute(markup, "gml:id", compose_id(composer, ""));
-	if (*unit)
+	if (*unit && may_give(&given, "uom"))
 		markup_attribute(markup, "uom", unit);
-	if (*space)
+	if (*space && may_give(&given, "codeSpace"))
 		markup_attribute(markup, "codeSpace", space);
-	write_xml_attributes(composer, index, module);
+	write_xml_attributes(composer, index, module, &given);
 	if (*value)
 		markup_text(markup, value);
 }
@@ -106,62 +139,55 @@ is_element(const struct composer *composer, uint32_t index)
 
 /* The next element at or behind a member; TCS_NONE for none. */
 static uint32_t
-next_element(const struct composer *composer, uint32_t member)
+next_element(struct composer *composer, uint32_t member)
 {
-	while (member != TCS_NONE && !is_element(composer, member))
+	while (member != TCS_NONE && !is_element(composer, member)) {
+		const char *name = name_at(composer, member);
+
+		if (*name != '@')
+			lose(composer, "part of an attribute",
+				"its name is not legal", name);
 		member = composer->next_member.at[member];
+	}
 	return member;
 }
 
-/* The module of what is below this element. */
-static const char *
-inner_module(
-	const struct composer *composer, uint32_t index, const char *module)
+static bool
+is_xal(const struct composer *composer, uint32_t index)
 {
-	return strcmp(name_at(composer, index), "xalAddress") ? module : "xAL";
+	return !strcmp(name_at(composer, index), "xalAddress");
 }
 
-static const char *
-module_at(const struct composer *composer, uint32_t index, uint32_t set,
-	const char *module)
-{
-	while (index != set) {
-		index = attribute_at(composer, index)->parent;
-		if (index != TCS_NONE &&
-			!strcmp(name_at(composer, index), "xalAddress"))
-			return "xAL";
-		if (index == TCS_NONE)
-			break;
-	}
-	return module;
-}
-
+/* What is below an xalAddress belongs to xAL, the rest to `module`. */
 void
 members_write(struct composer *composer, uint32_t set, const char *module)
 {
 	uint32_t at = next_element(composer, composer->first_member.at[set]);
-	const char *now = inner_module(composer, set, module);
+	uint32_t xal = is_xal(composer, set) ? set : TCS_NONE;
 
 	while (at != TCS_NONE) {
 		uint32_t below;
 
-		open_element(composer, at, now);
+		open_element(composer, at, xal == TCS_NONE ? module : "xAL");
 		below = next_element(composer, composer->first_member.at[at]);
 		if (below != TCS_NONE) {
-			now = inner_module(composer, at, now);
+			if (xal == TCS_NONE && is_xal(composer, at))
+				xal = at;
 			at = below;
 			continue;
 		}
 		for (;;) {
 			uint32_t above = attribute_at(composer, at)->parent;
 
-			close_element(composer, at, now);
+			if (at == xal)
+				xal = TCS_NONE;
+			close_element(
+				composer, at, xal == TCS_NONE ? module : "xAL");
 			below = next_element(
 				composer, composer->next_member.at[at]);
 			if (below != TCS_NONE || above == set)
 				break;
 			at = above;
-			now = module_at(composer, at, set, module);
 		}
 		at = below;
 	}
@@ -183,12 +209,32 @@ static const struct {
 
 enum { COUNTRY, AREA, LOCALITY, STREET, NUMBER, POST_CODE, PART_COUNT };
 
-static bool
-is_below(const struct composer *composer, uint32_t index, uint32_t set)
+/* What stands behind a member of the tree below a set; TCS_NONE at the end. */
+static uint32_t
+next_below(const struct composer *composer, uint32_t at, uint32_t set)
 {
-	while (index != TCS_NONE && index != set)
-		index = attribute_at(composer, index)->parent;
-	return index == set;
+	if (composer->first_member.at[at] != TCS_NONE)
+		return composer->first_member.at[at];
+	while (at != set && composer->next_member.at[at] == TCS_NONE)
+		at = attribute_at(composer, at)->parent;
+	return at == set ? TCS_NONE : composer->next_member.at[at];
+}
+
+/* The part that an attribute is; PART_COUNT for none. */
+static size_t
+part_of(const struct composer *composer, uint32_t index, bool from_3)
+{
+	uint32_t above = attribute_at(composer, index)->parent;
+	const char *name = name_at(composer, index);
+	size_t part = 0;
+
+	while (part < PART_COUNT &&
+		!(from_3 ? !strcmp(name, parts[part].after) &&
+					!strcmp(name_at(composer, above),
+						parts[part].around)
+			 : !strcmp(name, parts[part].before)))
+		part++;
+	return part;
 }
 
 /* Fill in the parts; returns how many other leaves there are. */
@@ -196,29 +242,17 @@ static size_t
 find_parts(const struct composer *composer, uint32_t set, bool from_3,
 	const char *found[PART_COUNT])
 {
+	uint32_t at = next_below(composer, set, set);
 	size_t others = 0;
 
-	for (uint32_t i = set + 1; i < composer->object.attributes.count; i++) {
-		const char *name = name_at(composer, i);
+	for (; at != TCS_NONE; at = next_below(composer, at, set)) {
 		const char *value = compose_text(
-			composer, attribute_at(composer, i)->value);
-		uint32_t above = attribute_at(composer, i)->parent;
-		size_t part = 0;
+			composer, attribute_at(composer, at)->value);
+		size_t part = part_of(composer, at, from_3);
 
-		if (above == TCS_NONE)
-			break;
-		if (!*value || *name == '@' || !is_below(composer, i, set))
+		if (!*value || *name_at(composer, at) == '@')
 			continue;
-		while (part < PART_COUNT &&
-			!(!found[part] &&
-				(from_3 ? !strcmp(name, parts[part].after) &&
-							!strcmp(name_at(composer,
-									above),
-								parts[part]
-									.around)
-					: !strcmp(name, parts[part].before))))
-			part++;
-		if (part < PART_COUNT)
+		if (part < PART_COUNT && !found[part])
 			found[part] = value;
 		else
 			others++;

@@ -24,6 +24,7 @@ composer_release(struct composer *composer)
 	object_release(&composer->object);
 	arena_release(&composer->arena);
 	id_set_release(&composer->ids);
+	id_numbers_release(&composer->numbers);
 	array_release(&composer->nodes);
 	array_release(&composer->items);
 	array_release(&composer->pieces);
@@ -57,6 +58,8 @@ clear(struct composer *composer, const struct id_set *taken,
 	composer->is_prototype = false;
 	arena_reset(&composer->arena);
 	id_set_clear(&composer->ids);
+	if (!taken)
+		id_numbers_clear(&composer->numbers);
 	array_clear(&composer->items);
 	array_clear(&composer->roots);
 	array_clear(&composer->addresses);
@@ -159,10 +162,28 @@ numbered(struct composer *composer, const char *base, const char *joint,
 	return id;
 }
 
+/* "id_2", "id_3", …, from where it was left last time: with `taken`, by an
+ * earlier object, for what is taken stays so. */
+static const char *
+another(struct composer *composer, const char *id)
+{
+	uint64_t *last = id_numbers_at(&composer->numbers, id_hash(id));
+	uint64_t number;
+	const char *made;
+
+	if (!last) {
+		composer->out->markup.failed = true;
+		return "";
+	}
+	number = *last ? *last : 1;
+	made = numbered(composer, id, "_", &number);
+	*last = number;
+	return made;
+}
+
 const char *
 compose_id(struct composer *composer, const char *wanted)
 {
-	uint64_t number = 1;
 	const char *id;
 	char room[32];
 
@@ -186,7 +207,7 @@ compose_id(struct composer *composer, const char *wanted)
 		composer->out->markup.failed = true;
 		return "";
 	}
-	return define(composer, id) ? id : numbered(composer, id, "_", &number);
+	return define(composer, id) ? id : another(composer, id);
 }
 
 const char *

@@ -179,6 +179,7 @@ struct composer {
 	TCS_ARRAY(const char *) ring_ids;
 	TCS_ARRAY(uint32_t) slots; /* a hash table of polygon ids */
 	struct id_set ids; /* defined in this object */
+	struct id_numbers numbers; /* made of ids that were not free */
 	uint64_t made; /* ids made up so far */
 	const char *outer_id; /* of a prototype's geometry, once written */
 	bool wants_outer_id;

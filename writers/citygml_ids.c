@@ -17,7 +17,9 @@ id_set_release(struct id_set *set)
 void
 id_set_clear(struct id_set *set)
 {
-	if (set->room)
+	if (set->room > 64 && set->count < set->room / 16)
+		id_set_release(set);
+	if (set->count)
 		memset(set->slots, 0, set->room * sizeof *set->slots);
 	set->count = 0;
 }
@@ -76,6 +78,69 @@ id_set_add(
 	}
 	return TCS_OK;
 }
+
+/* ---- numbers ---------------------------------------------------------------- */
+
+void
+id_numbers_release(struct id_numbers *numbers)
+{
+	free(numbers->slots);
+	*numbers = (struct id_numbers){0};
+}
+
+void
+id_numbers_clear(struct id_numbers *numbers)
+{
+	if (numbers->count)
+		id_numbers_release(numbers);
+}
+
+static struct id_number *
+number_of(const struct id_numbers *numbers, uint64_t hash)
+{
+	size_t at = (size_t)hash & (numbers->room - 1);
+
+	while (numbers->slots[at].hash && numbers->slots[at].hash != hash)
+		at = (at + 1) & (numbers->room - 1);
+	return &numbers->slots[at];
+}
+
+static bool
+grow_numbers(struct id_numbers *numbers)
+{
+	struct id_numbers bigger = {
+		.room = numbers->room ? numbers->room * 2 : 64};
+
+	bigger.slots = calloc(bigger.room, sizeof *bigger.slots);
+	if (!bigger.slots)
+		return false;
+	for (size_t i = 0; i < numbers->room; i++)
+		if (numbers->slots[i].hash)
+			*number_of(&bigger, numbers->slots[i].hash) =
+				numbers->slots[i];
+	bigger.count = numbers->count;
+	free(numbers->slots);
+	*numbers = bigger;
+	return true;
+}
+
+uint64_t *
+id_numbers_at(struct id_numbers *numbers, uint64_t hash)
+{
+	struct id_number *number;
+
+	if (numbers->count + 1 > numbers->room / 4 * 3 &&
+		!grow_numbers(numbers))
+		return NULL;
+	number = number_of(numbers, hash);
+	if (!number->hash) {
+		number->hash = hash;
+		numbers->count++;
+	}
+	return &number->last;
+}
+
+/* ---- hashes ----------------------------------------------------------------- */
 
 /* Multiply and fold, eight bytes at a time. */
 uint64_t

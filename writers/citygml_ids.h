@@ -21,13 +21,32 @@ struct id_set {
 	size_t count;
 };
 
+/* How many ids were made of a base, by its hash. */
+struct id_numbers {
+	struct id_number {
+		uint64_t hash; /* 0: free */
+		uint64_t last;
+	} * slots;
+	size_t room; /* a power of two, or 0 */
+	size_t count;
+};
+
 void id_set_release(struct id_set *set);
+/* Takes no longer than what was put in, on average: room that is far too large
+ * is given back. */
 void id_set_clear(struct id_set *set);
 bool id_set_has(const struct id_set *set, uint64_t hash);
 
 /* *added says whether it is new. Fails with TCS_NO_MEMORY. */
 enum tcs_status id_set_add(struct id_set *set, uint64_t hash, bool *added,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+void id_numbers_release(struct id_numbers *numbers);
+void id_numbers_clear(struct id_numbers *numbers);
+
+/* The number of a base, 0 at first; valid until the next call. NULL without
+ * memory. */
+uint64_t *id_numbers_at(struct id_numbers *numbers, uint64_t hash);
 
 /* Of the text; never 0. */
 uint64_t id_hash(const char *id);

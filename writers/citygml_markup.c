@@ -5,6 +5,8 @@
 
 #include "number.h"
 
+enum { MAX_TABS = 64 };
+
 void
 markup_release(struct markup *markup)
 {
@@ -58,16 +60,18 @@ put(struct markup *markup, const char *text)
 	markup_raw(markup, text, strlen(text));
 }
 
+/* Deep nesting must not make the text grow by its square. */
 static void
 new_line(struct markup *markup)
 {
-	char *at = room_for(markup, (size_t)markup->depth + 1);
+	size_t tabs = markup->depth < MAX_TABS ? markup->depth : MAX_TABS;
+	char *at = room_for(markup, tabs + 1);
 
 	if (!at)
 		return;
 	*at = '\n';
-	memset(at + 1, '\t', markup->depth);
-	markup->bytes.count += (size_t)markup->depth + 1;
+	memset(at + 1, '\t', tabs);
+	markup->bytes.count += tabs + 1;
 }
 
 static void

@@ -1,6 +1,6 @@
 /*
  * XML text under construction: elements open, take attributes, text or
- * elements, and end; indentation follows. What goes wrong for want of memory
+ * elements, and end; indentation follows, up to 64 levels. What goes wrong for want of memory
  * is remembered and told by markup_check, so that those who write need not ask.
  *
  * All zero is empty. Names are "module:name" in two pieces; text is escaped;

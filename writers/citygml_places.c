@@ -7,6 +7,9 @@
 #define LOD_LOST 254
 #define NO_FIT 255
 
+/* How far around a surface a place for its polygons is looked for. */
+enum { MAX_CLIMB = 16 };
+
 enum tcs_status
 item_add(struct composer *composer, uint32_t feature, uint16_t property,
 	enum item_kind kind, uint32_t index, struct tcs_fault *fault)
@@ -248,7 +251,7 @@ place_polygon(struct composer *composer, uint32_t polygon, uint32_t owner,
 	struct piece *piece = &composer->pieces.at[polygon];
 
 	piece->home = owner;
-	while (!flat && surface != owner) {
+	for (unsigned i = 0; i < MAX_CLIMB && !flat && surface != owner; i++) {
 		const struct node *node = &composer->nodes.at[surface];
 		uint16_t property =
 			find_surface_property(composer, surface, lod);
