@@ -191,14 +191,16 @@ list_derived(struct composer *composer, struct derived *all)
 
 	for (size_t i = 0; i < object->geometries.count; i++) {
 		const struct tcs_geometry *geometry = &object->geometries.at[i];
-		const struct tcs_shell *shells =
-			object->shells.at + geometry->first_shell;
 		uint32_t at = geometry->first_polygon;
 		uint32_t end = at + geometry->polygon_count;
 
-		for (uint32_t j = 0; j < geometry->shell_count; j++, shell++)
-			for (uint32_t k = 0; k < shells[j].polygon_count; k++)
+		for (uint32_t j = 0; j < geometry->shell_count; j++, shell++) {
+			uint32_t index = geometry->first_shell + j;
+			uint32_t left = object->shells.at[index].polygon_count;
+
+			for (; left > 0; left--)
 				add_derived(composer, all, &count, at++, shell);
+		}
 		while (at < end)
 			add_derived(composer, all, &count, at++, shell);
 		shell++;

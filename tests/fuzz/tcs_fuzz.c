@@ -6,30 +6,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <zlib.h>
 
+#include "tests/fuzz/mend_sums.h"
 #include "tests/fuzz/twin_check.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-static void
-mend_sums(unsigned char *bytes, size_t size)
-{
-	size_t at = 16;
-
-	while (size - at >= 32) {
-		uint64_t stored;
-		uint32_t crc;
-
-		memcpy(&stored, bytes + at + 8, sizeof stored);
-		if (stored > size - at - 32)
-			return;
-		crc = (uint32_t)crc32_z(0, bytes + at, 28);
-		crc = (uint32_t)crc32_z(crc, bytes + at + 32, stored);
-		memcpy(bytes + at + 28, &crc, sizeof crc);
-		at += 32 + stored;
-	}
-}
 
 static void
 read_all(FILE *file)

@@ -167,6 +167,32 @@ outlines_come_from_triangles() {
 	awk -f "$ROOT/tests/closed.awk" bare.gml
 }
 
+# hostile N FEATURES: a stream of one object, whose features jq makes of [0, N).
+hostile() {
+	jq -nc "{record: \"head\", crs: {kind: \"projected\",
+			metres_per_unit: 1, metres_per_unit_up: 1}},
+		{record: \"object\", features: [range($1) as \$i | $2]},
+		{record: \"end\", objects: 1}" | json2tcs
+}
+
+# Nested parts and attribute sets, and one id for all: none takes the square of
+# its number in time or bytes. (It was minutes, and gigabytes.)
+what_nests_deep_costs_no_more() {
+	# shellcheck disable=SC2016
+	hostile 50000 '{class: "BuildingPart", id: "same"} +
+		if $i > 0 then {parent: ($i - 1)} else {} end' >parts.tcs
+	# shellcheck disable=SC2016
+	hostile 1 '{class: "Building", attributes: [range(50000) as $j |
+		{name: "Address", type: "set"} +
+		if $j > 0 then {member_of: ($j - 1)} else {name: "address"}
+		end]}' >sets.tcs
+	local stream
+	for stream in parts sets; do
+		timeout 20 tcs2citygml -q -o out.gml "$stream.tcs"
+		(($(wc -c <out.gml) < 50000000))
+	done
+}
+
 broken_streams_write_nothing() {
 	citygml2tcs -q "$SAMPLES/town-2.0.gml" town.tcs
 	head -c 100000 town.tcs >broken.tcs
@@ -236,6 +262,7 @@ run_test levels_stand_beside_each_other 2.0 3:2
 run_test levels_stand_beside_each_other 2.0 3:1
 run_test levels_stand_beside_each_other 3.0 3:2
 run_test outlines_come_from_triangles
+run_test what_nests_deep_costs_no_more
 run_test broken_streams_write_nothing
 # Minutes, most of them xmllint's: once is enough.
 if [[ ! -e $data/citygml/MANIFEST.tsv || ! -e $schemas ]]; then

@@ -236,17 +236,20 @@ static unsigned
 check_shell(struct model *model, const struct tcs_shell *shell)
 {
 	const struct tcs_object *object = &model->object;
-	const struct tcs_polygon *polygons =
-		object->polygons.at + shell->first_polygon;
+	struct tcs_point origin = {0, 0, 0};
 	unsigned is = FLAT;
 	double volume = 0;
 
 	array_clear(&model->edges);
 	for (uint32_t i = 0; i < shell->polygon_count; i++) {
-		add_polygon(model, &polygons[i]);
-		volume += volume_of(object, &polygons[i],
-			object->vertices.at[polygons[0].first_vertex]);
-		if (!is_flat(model, &polygons[i]))
+		const struct tcs_polygon *polygon =
+			&object->polygons.at[shell->first_polygon + i];
+
+		if (i == 0)
+			origin = object->vertices.at[polygon->first_vertex];
+		add_polygon(model, polygon);
+		volume += volume_of(object, polygon, origin);
+		if (!is_flat(model, polygon))
 			is &= ~(unsigned)FLAT;
 	}
 	if (edges_are_closed(model))
@@ -262,15 +265,14 @@ static void
 check_geometry(struct model *model, const struct tcs_geometry *geometry)
 {
 	const struct tcs_object *object = &model->object;
-	const struct tcs_shell *shells =
-		object->shells.at + geometry->first_shell;
 
 	for (uint32_t i = 0; i < geometry->shell_count; i++) {
+		uint32_t shell = geometry->first_shell + i;
 		struct solid *solid;
 
 		no_memory(array_grow(&model->solids, 1));
 		solid = &model->solids.at[model->solids.count++];
-		solid->is = check_shell(model, &shells[i]);
+		solid->is = check_shell(model, &object->shells.at[shell]);
 		snprintf(solid->name, sizeof solid->name,
 			"%s, LOD %d, shell %u",
 			object_text(object,
