@@ -47,8 +47,8 @@ is_sound(const struct change *change)
 	if (height < least &&
 		height < square_height(change, change->from, before))
 		return false;
-	return vector_dot(after, first) >= work->settings.least_cosine *
-		vector_length(after) * vector_length(first);
+	/* It never turns over, however many steps that takes. */
+	return vector_dot(after, first) >= 0;
 }
 
 /* ---- seams --------------------------------------------------------------- */
@@ -66,32 +66,87 @@ staying_corners(const struct collapses *work, size_t count, size_t i,
 		nodes[1] != target;
 }
 
-/* Which face of the ring, once changed, is nearest to a point of a seam;
-   TCS_NONE when none is within the limit. */
-static uint32_t
-next_holder(const struct collapses *work, size_t count, uint32_t target,
-	const struct seam_point *point)
+static double
+square_distance(struct tcs_point a, struct tcs_point b)
 {
-	struct tcs_point at = point->at;
-	double least = point->limit * point->limit;
-	uint32_t best = TCS_NONE, nodes[2];
+	struct tcs_point ab = vector_difference(b, a);
+
+	return vector_dot(ab, ab);
+}
+
+static struct triangle_shape
+face_shape(const struct collapses *work, uint32_t face)
+{
+	struct triangle_shape shape = {0};
+	uint32_t nodes[3];
+
+	if (collapses_face(work, face, nodes))
+		for (int k = 0; k < 3; k++)
+			shape.corner[k] = work->positions.at[nodes[k]];
+	return shape;
+}
+
+/* A face that would hold a point of a seam, and where it is nearest to it. */
+struct holder {
+	uint32_t face;
+	struct triangle_shape shape;
+	struct tcs_point at;
+};
+
+/* The face of the ring, once changed, that is nearest to a point. */
+static struct holder
+next_holder(const struct collapses *work, size_t count, uint32_t target,
+	struct tcs_point point)
+{
+	struct holder best = {.face = TCS_NONE};
+	double least = INFINITY;
+	uint32_t nodes[2];
 
 	for (size_t i = 0; i < count; i++) {
-		struct triangle_shape shape;
-		struct tcs_point away;
+		struct holder holder = {.face = work->spokes.at[i].face};
+		double square;
 
 		if (!staying_corners(work, count, i, target, nodes))
 			continue;
-		shape = (struct triangle_shape){{work->positions.at[target],
-			work->positions.at[nodes[0]],
-			work->positions.at[nodes[1]]}};
-		away = vector_difference(triangle_nearest(&shape, at), at);
-		if (vector_dot(away, away) <= least) {
-			least = vector_dot(away, away);
-			best = work->spokes.at[i].face;
+		holder.shape =
+			(struct triangle_shape){{work->positions.at[target],
+				work->positions.at[nodes[0]],
+				work->positions.at[nodes[1]]}};
+		holder.at = triangle_nearest(&holder.shape, point);
+		square = square_distance(holder.at, point);
+		if (square < least) {
+			least = square;
+			best = holder;
 		}
 	}
 	return best;
+}
+
+/*
+ * Which face would hold a point of a seam; TCS_NONE when it would come open:
+ * when from where either side is nearest to it the other side's holder is
+ * farther than the limit.
+ */
+static uint32_t
+holder_after(const struct collapses *work, size_t count, uint32_t target,
+	uint32_t hold)
+{
+	const struct seam_point *point = &work->seams->points.at[hold / 2];
+	struct holder own = next_holder(work, count, target, point->at);
+	struct triangle_shape other;
+	double limit = point->limit * point->limit;
+	struct tcs_point there;
+
+	if (own.face == TCS_NONE)
+		return TCS_NONE;
+	other = face_shape(work, work->seams->holds.at[hold ^ 1].face);
+	if (square_distance(own.at, triangle_nearest(&other, own.at)) <= limit)
+		return own.face;
+	there = triangle_nearest(&other, point->at);
+	if (square_distance(there, triangle_nearest(&own.shape, there)) <=
+		limit)
+		return own.face;
+	return TCS_NONE;
 }
 
 /* Append the contacts of the points that the ring would no longer hold. */
@@ -108,16 +163,12 @@ list_opened(struct collapses *work, size_t count, uint32_t target,
 			continue;
 		for (hold = seams->faces.at[face]; hold != TCS_NONE;
 			hold = seams->holds.at[hold].next) {
-			const struct seam_point *point =
-				&seams->points.at[hold / 2];
-
-			if (point->open ||
-				next_holder(work, count, target, point) !=
-					TCS_NONE)
+			if (holder_after(work, count, target, hold) != TCS_NONE)
 				continue;
 			if (array_grow(&work->opened, 1))
 				return fault_memory(fault);
-			work->opened.at[work->opened.count++] = point->contact;
+			work->opened.at[work->opened.count++] =
+				seams->points.at[hold / 2].contact;
 		}
 	}
 	return TCS_OK;
@@ -301,18 +352,16 @@ move_holds(struct collapses *work, size_t count, uint32_t target)
 		hold = face == HALF_EDGE_NONE ? TCS_NONE
 					      : seams->faces.at[face];
 		for (; hold != TCS_NONE; hold = next) {
-			struct seam_point *point = &seams->points.at[hold / 2];
 			uint32_t holder =
-				next_holder(work, count, target, point);
+				holder_after(work, count, target, hold);
 
+			/* A later face of the ring may get it, and pass it
+			   again. */
 			next = seams->holds.at[hold].next;
-			if (holder == face)
-				continue;
-			seams_move_hold(seams, hold, holder);
-			if (holder == TCS_NONE && !point->open) {
-				point->open = true;
-				seams->counts.at[point->contact].open++;
-			}
+			if (holder == TCS_NONE)
+				seams_open(seams, hold / 2);
+			else if (holder != face)
+				seams_move_hold(seams, hold, holder);
 		}
 	}
 }

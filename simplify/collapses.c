@@ -231,13 +231,15 @@ collapse(struct collapses *work, uint32_t node, uint32_t target,
 }
 
 enum tcs_status
-collapses_run(struct collapses *work, size_t faces, struct tcs_fault *fault)
+collapses_run(struct collapses *work, size_t faces, double dearest,
+	struct tcs_fault *fault)
 {
 	const struct queue_entry *first;
 	enum tcs_status status = TCS_OK;
 
 	while (!status && work->face_count > faces &&
-		(first = node_queue_first(&work->queue))) {
+		(first = node_queue_first(&work->queue)) &&
+		first->cost < dearest) {
 		uint32_t node = first->node;
 		uint32_t target = work->targets.at[node];
 		bool fine;

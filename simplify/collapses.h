@@ -16,7 +16,6 @@
 
 struct collapse_settings {
 	double base_ratio; /* of the cost of moving a boundary vertex; >= 1 */
-	double least_cosine; /* of the angle a face may turn by, in all */
 	bool loose; /* seams may come open as long as one point holds, borders
 	               between surfaces may move, surfaces may vanish */
 };
@@ -61,11 +60,11 @@ enum tcs_status collapses_begin(struct collapses *work,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /*
- * Collapse the cheapest until at most `faces` are left or nothing may be
- * collapsed any more. Fails with TCS_NO_MEMORY.
+ * Collapse the cheapest until at most `faces` are left, or nothing may be
+ * collapsed for less than `dearest`. Fails with TCS_NO_MEMORY.
  */
 enum tcs_status collapses_run(struct collapses *work, size_t faces,
-	struct tcs_fault *fault) TCS_CHECKED;
+	double dearest, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Go on under other settings: every node is judged anew. Fails with
    TCS_NO_MEMORY. */

@@ -11,8 +11,8 @@
 #include "collapses.h"
 
 /* Weights of the planes across, per square metre of the edge's square. */
-#define OPEN_PENALTY 1000
-#define LINE_PENALTY 500
+#define OPEN_PENALTY 0.6
+#define LINE_PENALTY 0.3
 #define SHARP_COSINE 0.866 /* 30 degrees */
 
 static struct tcs_point

@@ -4,10 +4,6 @@
 
 #include "lod_home.h"
 
-/* How far faces may turn, and once that is all, to come to the rate. */
-#define LEAST_COSINE 0.5
-#define LAST_COSINE 0.1
-
 /* In so many steps openings are dissolved. */
 #define OPENING_BATCHES 16
 
@@ -20,8 +16,7 @@ prepare(struct object_simplifier *simplifier,
 	struct tcs_fault *fault)
 {
 	const struct component_set *set = &simplifier->source.set;
-	const struct collapse_settings first = {
-		settings->base_ratio, LEAST_COSINE, false};
+	const struct collapse_settings first = {settings->base_ratio, false};
 	enum tcs_status status;
 	double reach;
 
@@ -64,28 +59,30 @@ dissolve_openings(struct object_simplifier *simplifier, size_t count, bool *any,
 	return status ? status : collapses_resume(work, &work->settings, fault);
 }
 
-/* Collapse, and dissolve more and more openings until that is enough. */
+/* Collapse; dissolve openings as soon as that is cheaper. */
 static enum tcs_status
 collapse_walls(struct object_simplifier *simplifier, size_t target,
 	struct tcs_fault *fault)
 {
 	struct collapses *work = &simplifier->collapses;
-	size_t batch = simplifier->openings.by_area.count / OPENING_BATCHES + 1;
+	struct openings *openings = &simplifier->openings;
+	size_t batch = openings->by_area.count / OPENING_BATCHES + 1;
 	bool any = true;
-	enum tcs_status status = collapses_run(work, target, fault);
+	enum tcs_status status = collapses_run(
+		work, target, openings_next_cost(openings), fault);
 
 	while (!status && any && work->face_count > target) {
 		status = dissolve_openings(simplifier, batch, &any, fault);
 		if (!status)
-			status = collapses_run(work, target, fault);
+			status = collapses_run(work, target,
+				openings_next_cost(openings), fault);
 	}
 	return status;
 }
 
 /*
- * Collapse down to a level. What does not come so far goes on without the
- * smaller of its openings, and then as far as it can be brought without
- * falling apart.
+ * Collapse down to a level: first so that all holds, then as far as it can be
+ * brought without falling apart.
  */
 static enum tcs_status
 reach_level(struct object_simplifier *simplifier,
@@ -93,8 +90,7 @@ reach_level(struct object_simplifier *simplifier,
 	const struct simplify_level *level, struct tcs_fault *fault)
 {
 	struct collapses *work = &simplifier->collapses;
-	const struct collapse_settings last = {
-		settings->base_ratio, LAST_COSINE, true};
+	const struct collapse_settings last = {settings->base_ratio, true};
 	double faces = (double)simplifier->source.set.triangles.count;
 	size_t target = (size_t)ceil(faces * (1 - level->rate));
 	enum tcs_status status = TCS_OK;
@@ -106,7 +102,7 @@ reach_level(struct object_simplifier *simplifier,
 		status = collapse_walls(simplifier, target, fault);
 	if (!status && work->face_count > target && !work->settings.loose)
 		status = collapses_resume(work, &last, fault);
-	return status ? status : collapses_run(work, target, fault);
+	return status ? status : collapses_run(work, target, INFINITY, fault);
 }
 
 static enum tcs_status

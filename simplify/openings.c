@@ -1,5 +1,6 @@
 #include "openings.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,6 +8,10 @@
 
 /* The level at which walls have no openings. */
 #define WALLS_ONLY 2
+
+/* Metres: that something is an opening weighs as much as a shape that is off
+   by so much over the same area. */
+#define MEANT_DEPTH 0.5
 
 static int
 by_area(const void *left, const void *right)
@@ -67,6 +72,15 @@ openings_find(struct openings *openings, const struct tcs_object *object,
 	status = list(openings, object, areas, fault);
 	free(areas);
 	return status;
+}
+
+double
+openings_next_cost(const struct openings *openings)
+{
+	if (openings->dissolved == openings->by_area.count)
+		return INFINITY;
+	return openings->by_area.at[openings->dissolved].area * MEANT_DEPTH *
+		MEANT_DEPTH;
 }
 
 bool

@@ -27,6 +27,10 @@ enum tcs_status openings_find(struct openings *openings,
 	const struct tcs_object *object, const struct component_set *set,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* What dissolving the next one costs, as collapses are measured; INFINITY
+   when none is left. */
+double openings_next_cost(const struct openings *openings);
+
 /* Dissolve up to `count` more; false when there is none left. */
 bool openings_dissolve(struct openings *openings, size_t count);
 

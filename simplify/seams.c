@@ -7,6 +7,9 @@
 /* Edges are lengthened by this share of their length for the test. */
 #define BUFFER 0.01
 
+/* Metres: what is this near touches in an object of any size. */
+#define TOUCHING 0.01
+
 /* Planes this parallel are one. */
 #define SAME_PLANE 0.999
 
@@ -96,8 +99,10 @@ add_point(struct walk *walk, struct tcs_point at, double gap,
 		walk->failed = true;
 		return;
 	}
-	seams->found.at[seams->found.count++] = (struct seam_point){
-		.at = at, .limit = gap > SEAM_LIMIT ? gap : SEAM_LIMIT};
+	seams->found.at[seams->found.count++] = (struct seam_point){.at = at,
+		.limit = gap > TOUCHING
+			? fmax(SEAM_LIMIT, SEAM_REACHES * walk->reach)
+			: SEAM_LIMIT};
 	seams->found_faces.at[seams->found_faces.count++] = faces[0];
 	seams->found_faces.at[seams->found_faces.count++] = faces[1];
 }
@@ -445,6 +450,14 @@ seams_move_hold(struct seams *seams, uint32_t hold, uint32_t face)
 		moved->next = seams->faces.at[face];
 		seams->faces.at[face] = hold;
 	}
+}
+
+void
+seams_open(struct seams *seams, uint32_t point)
+{
+	seams_move_hold(seams, 2 * point, TCS_NONE);
+	seams_move_hold(seams, 2 * point + 1, TCS_NONE);
+	seams->counts.at[seams->points.at[point].contact].open++;
 }
 
 void

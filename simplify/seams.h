@@ -3,9 +3,9 @@
  * of every contact, each held by a face of either side, and the planes that
  * tell which way a vertex may move without leaving the other component.
  *
- * A point is held while both sides have a face within its limit. A contact
- * whose points are held cannot gape there: the two surfaces are at most twice
- * the limit apart.
+ * A point is held by the face of either side that is nearest to it, while from
+ * where one of them is nearest the other is not farther than a limit: there the
+ * contact does not gape, wherever the two have moved together.
  *
  * source: W, boundary vertices, embedded edges, buffer, collapse reference
  * planes (Wang et al. 2021, ISPRS IJGI 10, 422).
@@ -20,14 +20,15 @@ enum {
 	SEAM_POINTS = 24, /* watched of a contact, at most */
 };
 
-/* How far from a seam's point the faces that hold it may go, metres. */
-#define SEAM_LIMIT 0.01
+/* How far the faces that hold a point may come apart where they touched:
+   metres, and a multiple of what counts as touching where that is more. */
+#define SEAM_LIMIT 0.018
+#define SEAM_REACHES 1.8
 
 struct seam_point {
 	struct tcs_point at; /* as the points of the set */
 	double limit; /* metres */
 	uint32_t contact;
-	bool open;
 };
 
 /* One side of a point; of point i those of sides a and b are 2 i, 2 i + 1. */
@@ -69,6 +70,9 @@ enum tcs_status seams_find(struct seams *seams, const struct component_set *set,
 
 /* Let a face hold what another, or none, has held. */
 void seams_move_hold(struct seams *seams, uint32_t hold, uint32_t face);
+
+/* A point comes open: neither side holds it any more. */
+void seams_open(struct seams *seams, uint32_t point);
 
 void seams_release(struct seams *seams);
 
