@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "ifc_alignment.h"
 #include "ifc_offset.h"
 #include "ifc_point_list.h"
 #include "ifc_spline.h"
@@ -480,6 +481,8 @@ points_inside(struct ifc_shaper *shaper, uint32_t curve, struct ifc_points *out)
 {
 	double range;
 
+	if (ifc_is_alignment(shaper->file, curve))
+		return ifc_alignment_points(shaper, curve, out);
 	switch (ifc_entity_of(shaper->file, curve)) {
 	case IFC_POLYLINE:
 		return polyline_points(shaper, curve, out);

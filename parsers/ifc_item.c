@@ -139,6 +139,9 @@ body_inside(struct ifc_shaper *shaper, uint32_t item, struct ifc_body *out)
 	case IFC_DIRECTRIXDERIVEDREFERENCESWEPTAREASOLID:
 	case IFC_SURFACECURVESWEPTAREASOLID:
 		return solid(shaper, item, ifc_swept_area, out);
+	case IFC_SECTIONEDSOLIDHORIZONTAL:
+	case IFC_SECTIONEDSPINE:
+		return solid(shaper, item, ifc_sectioned, out);
 	case IFC_BLOCK:
 	case IFC_RECTANGULARPYRAMID:
 	case IFC_RIGHTCIRCULARCONE:

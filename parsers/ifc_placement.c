@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "ifc_alignment.h"
 #include "ifc_placement_grid.h"
 #include "ifc_units.h"
 
@@ -68,6 +69,19 @@ is_finite(const struct ifc_matrix *matrix)
 	return true;
 }
 
+/* Whether a linear placement says where in the world it is. */
+static bool
+is_cartesian(const struct resolving *resolving, uint32_t instance,
+	struct ifc_matrix *out)
+{
+	const struct ifc_file *file = resolving->file;
+
+	return ifc_entity_of(file, instance) == IFC_LINEARPLACEMENT &&
+		ifc_axes(file,
+			ifc_target(file, instance, resolving->cartesian_at),
+			out);
+}
+
 /* The matrix of a placement by itself; NULL, or why there is none. */
 static const char *
 own_matrix(struct resolving *resolving, const struct ifc_placement *placement,
@@ -84,11 +98,15 @@ own_matrix(struct resolving *resolving, const struct ifc_placement *placement,
 			return NULL;
 		return "it has no axes";
 	case IFC_LINEARPLACEMENT:
-		if (ifc_axes(file,
-			    ifc_target(file, instance, resolving->cartesian_at),
+		if (is_cartesian(resolving, instance, out))
+			return NULL;
+		resolving->shaper.depth = 0;
+		resolving->shaper.points = 0;
+		if (!ifc_linear_axes(&resolving->shaper,
+			    ifc_target(file, instance, resolving->relative_at),
 			    out))
 			return NULL;
-		return "along a curve, without a Cartesian position";
+		return "along a curve that is not known";
 	case IFC_GRIDPLACEMENT:
 		return ifc_grid_matrix(&resolving->shaper, instance, out);
 	default:
@@ -127,7 +145,7 @@ placement_finish(struct resolving *resolving, struct ifc_placement *placement,
 	const struct ifc_placement *parent = placement->parent == STEP_NONE
 		? NULL
 		: resolving->placements->at + placement->parent;
-	struct ifc_matrix own;
+	struct ifc_matrix own, unused;
 	const char *reason = own_matrix(resolving, placement, &own);
 
 	if (!reason && parent && !parent->known)
@@ -137,9 +155,7 @@ placement_finish(struct resolving *resolving, struct ifc_placement *placement,
 	if (reason)
 		return unknown(resolving, placement, reason, fault);
 	/* Those of a linear placement's Cartesian position are the world's. */
-	if (parent &&
-		ifc_entity_of(resolving->file, placement->instance) !=
-			IFC_LINEARPLACEMENT)
+	if (parent && !is_cartesian(resolving, placement->instance, &unused))
 		own = ifc_multiply(&parent->world, &own);
 	if (!is_finite(&own))
 		return unknown(resolving, placement, "not finite", fault);

@@ -70,8 +70,8 @@ TCS_ARRAY_TYPE(ifc_placements, struct ifc_placement);
 
 /*
  * All object placements of the file, in its order, each multiplied out once,
- * without recursion. A linear placement is taken by its CartesianPosition, one
- * on a grid is relative to the grid. One that is part of a cycle, malformed, or
+ * without recursion. A linear placement is taken by its CartesianPosition where it
+ * has one, one on a grid is relative to the grid. One that is part of a cycle, malformed, or
  * relative to such a one is not known; each of these is reported as skipped, with the reason. Fails with
  * TCS_NO_MEMORY.
  */

@@ -47,6 +47,16 @@ enum ifc_outcome ifc_swept_area(struct ifc_shaper *shaper, uint32_t item,
 enum ifc_outcome ifc_tapered(struct ifc_shaper *shaper, uint32_t item,
 	struct ifc_faces *out) TCS_CHECKED;
 
+/* ---- ifc_sectioned.c ----------------------------------------------------- */
+
+/*
+ * IfcSectionedSolidHorizontal and IfcSectionedSpine: straight between sections
+ * with the same rings. Along an alignment, what a section is off it goes evenly
+ * to what the next one is.
+ */
+enum ifc_outcome ifc_sectioned(struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_faces *out) TCS_CHECKED;
+
 /* ---- ifc_primitive.c ----------------------------------------------------- */
 
 /* IfcBlock, IfcRectangularPyramid, IfcSphere, IfcRightCircularCone, -Cylinder. */
