@@ -312,10 +312,18 @@ struct tcs_source {
 	tcs_text name; /* file name without its folders; absent for stdin */
 };
 
+/* What a source says of all it holds, where it does. */
+struct tcs_model {
+	tcs_text id; /* gml:id of the CityModel, … */
+	tcs_text name;
+	tcs_text description;
+};
+
 struct tcs_head {
 	TCS_ARRAY(char) text;
 	TCS_ARRAY(struct tcs_crs) crs; /* exactly one */
 	TCS_ARRAY(struct tcs_source) sources;
+	TCS_ARRAY(struct tcs_model) models;
 	TCS_ARRAY(struct tcs_stage) stages;
 };
 

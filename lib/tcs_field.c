@@ -149,6 +149,12 @@ static const struct tcs_field source_fields[] = {
 	ONE(tcs_source, name, TEXT),
 };
 
+static const struct tcs_field model_fields[] = {
+	ONE(tcs_model, id, TEXT),
+	ONE(tcs_model, name, TEXT),
+	ONE(tcs_model, description, TEXT),
+};
+
 static const struct tcs_field stage_fields[] = {
 	ONE(tcs_stage, program, TEXT),
 	ONE(tcs_stage, version, TEXT),
@@ -208,6 +214,7 @@ FIELDS(paint, 'P', 'A', 'I', 'N');
 FIELDS(instance, 'I', 'N', 'S', 'T');
 FIELDS(crs, 'C', 'R', 'S', ' ');
 FIELDS(source, 'S', 'O', 'U', 'R');
+FIELDS(model, 'M', 'O', 'D', 'L');
 FIELDS(stage, 'S', 'T', 'A', 'G');
 FIELDS(image, 'I', 'M', 'A', 'G');
 FIELDS(material, 'M', 'A', 'T', 'L');

@@ -55,6 +55,7 @@ extern const struct tcs_fields fields_paint;
 extern const struct tcs_fields fields_instance;
 extern const struct tcs_fields fields_crs;
 extern const struct tcs_fields fields_source;
+extern const struct tcs_fields fields_model;
 extern const struct tcs_fields fields_stage;
 extern const struct tcs_fields fields_image;
 extern const struct tcs_fields fields_material;

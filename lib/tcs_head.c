@@ -16,6 +16,7 @@ head_release(struct tcs_head *head)
 	array_release(&head->text);
 	array_release(&head->crs);
 	array_release(&head->sources);
+	array_release(&head->models);
 	array_release(&head->stages);
 }
 

@@ -21,6 +21,7 @@ _Static_assert(sizeof(struct tcs_texcoord) == 16, "texcoord");
 _Static_assert(sizeof(struct tcs_instance) == 168, "instance");
 _Static_assert(sizeof(struct tcs_crs) == 112, "crs");
 _Static_assert(sizeof(struct tcs_source) == 8, "source");
+_Static_assert(sizeof(struct tcs_model) == 12, "model");
 _Static_assert(sizeof(struct tcs_stage) == 12, "stage");
 _Static_assert(sizeof(struct tcs_image) == 56, "image");
 _Static_assert(sizeof(struct tcs_material) == 56, "material");
@@ -74,6 +75,10 @@ static const struct tcs_column head_columns[] = {
 	{TCS_TAG('S', 'O', 'U', 'R'), sizeof(struct tcs_source),
 		AT(tcs_head, sources), 2,
 		{AT(tcs_source, format), AT(tcs_source, name)}},
+	{TCS_TAG('M', 'O', 'D', 'L'), sizeof(struct tcs_model),
+		AT(tcs_head, models), 3,
+		{AT(tcs_model, id), AT(tcs_model, name),
+			AT(tcs_model, description)}},
 	{TCS_TAG('S', 'T', 'A', 'G'), sizeof(struct tcs_stage),
 		AT(tcs_head, stages), 3,
 		{AT(tcs_stage, program), AT(tcs_stage, version),

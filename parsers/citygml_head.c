@@ -209,6 +209,33 @@ head_set_source(struct tcs_head *head, const struct gml_reader *reader,
 	return status;
 }
 
+/* A model that says nothing of itself is not listed. */
+static enum tcs_status
+head_set_model(struct tcs_head *head, const struct gml_reader *reader,
+	struct tcs_fault *fault)
+{
+	struct tcs_model model = {0};
+	const struct {
+		const struct kept_text *from;
+		tcs_text *to;
+	} texts[] = {
+		{&reader->model_id, &model.id},
+		{&reader->model_name, &model.name},
+		{&reader->model_description, &model.description},
+	};
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < sizeof texts / sizeof *texts; i++)
+		status = text_append(head, texts[i].from->at,
+			texts[i].from->count, texts[i].to, fault);
+	if (status || !(model.id || model.name || model.description))
+		return status;
+	if (array_grow(&head->models, 1))
+		return fault_memory(fault);
+	head->models.at[head->models.count++] = model;
+	return TCS_OK;
+}
+
 enum tcs_status
 head_build(struct tcs_head *head, struct gml_reader *reader,
 	const struct raw_object *first, const struct command *command,
@@ -219,6 +246,8 @@ head_build(struct tcs_head *head, struct gml_reader *reader,
 	status = head_set_crs(head, reader, first, fault);
 	if (!status)
 		status = head_set_source(head, reader, command, fault);
+	if (!status)
+		status = head_set_model(head, reader, fault);
 	if (!status)
 		status = head_sign(head, command->program->name,
 			TESSERA_VERSION, command->arguments, fault);

@@ -207,118 +207,7 @@ bounds_end(struct gml_reader *reader, const struct frame *frame)
 		reader->has_corner[upper] = true;
 }
 
-/* ---- the model and its members -------------------------------------------- */
-
-static enum tcs_status
-model_begin(
-	struct gml_reader *reader, struct name *name, struct tcs_fault *fault)
-{
-	struct xml_stretch tag;
-
-	xml_place_tag(reader->xml, &tag);
-	reader->head_end = tag.end;
-	return gml_push(reader, name, ROLE_MODEL, NULL, fault);
-}
-
-static enum tcs_status
-root_start(struct gml_reader *reader, struct name *name,
-	const struct xml_attribute *attributes, size_t count,
-	struct tcs_fault *fault)
-{
-	if (name->kind == NAME_CITY_MODEL)
-		return model_begin(reader, name, fault);
-	if (name->kind == NAME_FEATURE && reader->pass == PASS_APPEARANCES)
-		return gml_skip(reader);
-	if (name->kind == NAME_FEATURE)
-		return feature_begin(reader, name, attributes, count, fault);
-	return fault_set(fault, TCS_BAD_INPUT, TCS_NOWHERE,
-		"line %u: not CityGML: the root element is %.80s",
-		xml_line(reader->xml), name->local);
-}
-
-/* Global appearances are read into an object that is none of the model's. */
-static enum tcs_status
-sheet_open(struct gml_reader *reader, struct tcs_fault *fault)
-{
-	if (!reader->raw)
-		reader->raw = raw_new();
-	if (!reader->raw || array_grow(&reader->raw->positions, 64))
-		return fault_memory(fault);
-	return TCS_OK;
-}
-
-/* A member that is somewhere else: named, never fetched. */
-static enum tcs_status
-member_link(struct gml_reader *reader, const struct xml_attribute *attributes,
-	size_t count, struct tcs_fault *fault)
-{
-	const struct xml_attribute *href =
-		attribute_find(attributes, count, "href");
-	char target[128];
-
-	if (!href)
-		return TCS_OK;
-	snprintf(target, sizeof target, "%.*s",
-		href->length < 100 ? (int)href->length : 100, href->value);
-	return gml_skipped(
-		reader, "member", "a link, not followed", target, fault);
-}
-
-/* Where it stands, unless its tag is too long for any use of that. */
-static void
-member_place(struct gml_reader *reader)
-{
-	struct xml_stretch *tag = &reader->member;
-
-	if (!xml_place_tag(reader->xml, tag) ||
-		tag->end - tag->at > MEMBER_TAG_MAX)
-		*tag = (struct xml_stretch){0};
-}
-
-/* In the appearances' pass only global appearances are read, and the bounds:
- * georeferenced textures need to know the coordinate system. */
-static enum tcs_status
-model_child(struct gml_reader *reader, struct name *name,
-	const struct xml_attribute *attributes, size_t count,
-	struct tcs_fault *fault)
-{
-	bool wanted = name->kind == NAME_APPEARANCE_MEMBER
-		? reader->pass == PASS_APPEARANCES
-		: reader->pass == PASS_OBJECTS || name->kind == NAME_BOUNDED_BY;
-	enum tcs_status status;
-
-	if (!wanted)
-		return gml_skip(reader);
-	switch (name->kind) {
-	case NAME_MEMBER:
-		member_place(reader);
-		status = member_link(reader, attributes, count, fault);
-		if (status)
-			return status;
-		return gml_push(reader, name, ROLE_MEMBER, NULL, fault);
-	case NAME_APPEARANCE_MEMBER:
-		status = member_link(reader, attributes, count, fault);
-		if (!status)
-			status = sheet_open(reader, fault);
-		if (status)
-			return status;
-		return gml_push(reader, name, ROLE_APPEARANCE, NULL, fault);
-	case NAME_BOUNDED_BY:
-		return gml_push(reader, name, ROLE_BOUNDS, NULL, fault);
-	default:
-		return gml_skip(reader);
-	}
-}
-
-static enum tcs_status
-member_child(struct gml_reader *reader, struct name *name,
-	const struct xml_attribute *attributes, size_t count,
-	struct tcs_fault *fault)
-{
-	if (name->kind == NAME_APPEARANCE)
-		return gml_skip(reader);
-	return feature_begin(reader, name, attributes, count, fault);
-}
+/* ---- extensions ----------------------------------------------------------- */
 
 /* Elements of extensions that are not wanted. */
 static bool
@@ -354,7 +243,7 @@ element_start(struct gml_reader *reader, struct name *name,
 		return extension_drop(reader, fault);
 	switch (top->role) {
 	case ROLE_DOCUMENT:
-		return root_start(reader, name, attributes, count, fault);
+		return document_child(reader, name, attributes, count, fault);
 	case ROLE_MODEL:
 		return model_child(reader, name, attributes, count, fault);
 	case ROLE_MEMBER:
@@ -372,6 +261,7 @@ element_start(struct gml_reader *reader, struct name *name,
 		return implicit_child(reader, name, attributes, count, fault);
 	case ROLE_APPEARANCE:
 		return appearance_child(reader, name, attributes, count, fault);
+	case ROLE_MODEL_TEXT:
 	case ROLE_GENERIC_PART:
 		break;
 	}
@@ -434,6 +324,8 @@ gml_end_element(void *context, struct tcs_fault *fault)
 	case ROLE_BOUNDS:
 		bounds_end(reader, frame);
 		return TCS_OK;
+	case ROLE_MODEL_TEXT:
+		return model_text_end(reader, &frame, fault);
 	case ROLE_DOCUMENT:
 	case ROLE_MODEL:
 	case ROLE_MEMBER:
@@ -477,6 +369,9 @@ gml_release(struct gml_reader *reader)
 {
 	xml_free(reader->xml);
 	array_release(&reader->frames);
+	array_release(&reader->model_id);
+	array_release(&reader->model_name);
+	array_release(&reader->model_description);
 	array_release(&reader->text);
 	raw_free(reader->raw);
 	raw_list_free(reader->ready);

@@ -5,7 +5,8 @@
  * element is to the reader; the parent's role and the child's name decide the
  * child's role. The files beside this one share the state:
  *
- *     citygml_reader.c      the stack, the model and its members
+ *     citygml_reader.c      the stack, coordinate systems and bounds
+ *     citygml_model.c       the model and its members
  *     citygml_features.c    features and their properties
  *     citygml_attributes.c  what becomes of the text of properties
  *     citygml_geometry.c    GML geometry
@@ -37,6 +38,7 @@
 enum frame_role {
 	ROLE_DOCUMENT, /* below the stack: only a root may come */
 	ROLE_MODEL,
+	ROLE_MODEL_TEXT, /* its name or description */
 	ROLE_MEMBER,
 	ROLE_FEATURE,
 	ROLE_PROPERTY, /* of a feature: text, a feature, a geometry, … */
@@ -130,7 +132,9 @@ struct gml_reader {
 	uint64_t head_end; /* behind the start tag of the model; 0: unknown */
 	struct xml_stretch member; /* the start tag of the one being read */
 
-	/* the model */
+	/* the model; what it says of itself behind its first member comes too
+	   late for the head of the stream */
+	struct kept_text model_id, model_name, model_description;
 	TCS_ARRAY(struct gml_srs) systems;
 	uint32_t model_srs; /* index; TCS_NONE */
 	uint32_t first_srs; /* of the first geometry that names one */
@@ -258,6 +262,21 @@ enum tcs_status gml_skipped(struct gml_reader *reader, const char *item,
 	const char *reason, const char *id,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* Elements below the document, the model and its members. */
+enum tcs_status document_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status model_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status member_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* A name or a description of the model is complete. */
+enum tcs_status model_text_end(struct gml_reader *reader,
+	const struct frame *frame, struct tcs_fault *fault) TCS_CHECKED;
+
 enum tcs_status feature_begin(struct gml_reader *reader, struct name *name,
 	const struct xml_attribute *attributes, size_t count,
 	struct tcs_fault *fault) TCS_CHECKED;
@@ -274,6 +293,10 @@ bool attribute_may_come_of(const struct frame *frame);
 enum tcs_status attribute_take_unit(struct gml_reader *reader,
 	struct frame *frame, const struct xml_attribute *attributes,
 	size_t count, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The gml:id of an element that is no feature becomes a member "@id". */
+enum tcs_status attribute_add_id(struct gml_reader *reader, size_t index,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /* XML attributes that say more become members "@name" of the top frame's. */
 enum tcs_status attribute_add_members(struct gml_reader *reader,

@@ -78,6 +78,29 @@ build_sources(
 }
 
 static enum tcs_status
+build_models(
+	struct json_place *place, const json_t *line, struct tcs_head *head)
+{
+	const json_t *array;
+	enum tcs_status status = json_get_array(place, line, "models", &array);
+
+	for (size_t i = 0; !status && i < json_array_size(array); i++) {
+		struct tcs_model model;
+
+		json_enter(place, "models", i);
+		status = json_get_fields(place, json_array_get(array, i),
+			&fields_model, none, &model, &head->text);
+		json_leave(place);
+		if (status)
+			break;
+		if (array_grow(&head->models, 1))
+			return fault_memory(place->fault);
+		head->models.at[head->models.count++] = model;
+	}
+	return status;
+}
+
+static enum tcs_status
 build_stages(
 	struct json_place *place, const json_t *line, struct tcs_head *head)
 {
@@ -104,17 +127,21 @@ static enum tcs_status
 build_head(struct json_place *place, const json_t *line, struct tcs_head *head,
 	struct tcs_record *record)
 {
-	static const char *const keys[] = {"crs", "sources", "stages", NULL};
+	static const char *const keys[] = {
+		"crs", "sources", "models", "stages", NULL};
 	enum tcs_status status = check_keys(place, line, keys);
 
 	array_clear(&head->text);
 	array_clear(&head->crs);
 	array_clear(&head->sources);
+	array_clear(&head->models);
 	array_clear(&head->stages);
 	if (!status)
 		status = build_crs(place, line, head);
 	if (!status)
 		status = build_sources(place, line, head);
+	if (!status)
+		status = build_models(place, line, head);
 	if (!status)
 		status = build_stages(place, line, head);
 	return status ? status : head_encode(head, record, place->fault);

@@ -103,15 +103,31 @@ write_envelope(struct document *document, struct markup *markup,
 	markup_end(markup, "gml", "boundedBy");
 }
 
-/* An id for the model that no feature has. */
+/* An id for the model that no feature has: its own if it may be. */
 static void
-write_model_id(struct document *document, struct markup *markup)
+write_model_id(
+	struct document *document, struct markup *markup, const char *own)
 {
 	char id[32] = "CityModel";
 
+	if (*own && id_is_legal(own) &&
+		!id_set_has(&document->ids, id_hash(own))) {
+		markup_attribute(markup, "gml:id", own);
+		return;
+	}
+	if (document->plan->schema.version != GML_3_0)
+		return;
 	for (unsigned i = 2; id_set_has(&document->ids, id_hash(id)); i++)
 		snprintf(id, sizeof id, "CityModel_%u", i);
 	markup_attribute(markup, "gml:id", id);
+}
+
+static void
+write_model_text(struct markup *markup, const struct tcs_head *head,
+	const char *name, tcs_text text)
+{
+	if (text)
+		markup_leaf(markup, "gml", name, head_text(head, text));
 }
 
 static void
@@ -120,13 +136,17 @@ write_head(struct document *document, struct markup *markup,
 {
 	static const char declaration[] =
 		"<?xml version=\"1.0\" encoding=\"UTF-8\"?>";
+	struct tcs_model model = {0};
 
+	if (head->models.count == 1)
+		model = head->models.at[0];
 	markup_raw(markup, declaration, sizeof declaration - 1);
 	markup_start(markup, "core", "CityModel");
 	write_namespaces(markup, document->plan->schema.version);
-	if (document->plan->schema.version == GML_3_0)
-		write_model_id(document, markup);
+	write_model_id(document, markup, head_text(head, model.id));
 	markup_begin_text(markup);
+	write_model_text(markup, head, "description", model.description);
+	write_model_text(markup, head, "name", model.name);
 	write_envelope(document, markup, head);
 }
 

@@ -21,6 +21,20 @@ print_begin(struct json_text *json, const char *kind)
 /* ---- head, palette, end ---------------------------------------------- */
 
 static void
+print_models(struct json_text *json, const struct tcs_head *head)
+{
+	print_key(json, "models");
+	print_raw(json, "[");
+	for (size_t i = 0; i < head->models.count; i++) {
+		print_raw(json, i ? ",{" : "{");
+		print_fields(json, &fields_model, &head->models.at[i],
+			head->text.at);
+		print_raw(json, "}");
+	}
+	print_raw(json, "]");
+}
+
+static void
 print_head(struct json_text *json, const struct tcs_head *head)
 {
 	print_begin(json, "head");
@@ -37,6 +51,8 @@ print_head(struct json_text *json, const struct tcs_head *head)
 		print_raw(json, "}");
 	}
 	print_raw(json, "]");
+	if (head->models.count)
+		print_models(json, head);
 	print_key(json, "stages");
 	print_raw(json, "[");
 	for (size_t i = 0; i < head->stages.count; i++) {

@@ -8,8 +8,8 @@
 static const struct tcs_fields *const every[] = {&fields_feature,
 	&fields_attribute, &fields_relation, &fields_geometry, &fields_shell,
 	&fields_polygon, &fields_ring, &fields_paint, &fields_instance,
-	&fields_crs, &fields_source, &fields_stage, &fields_image,
-	&fields_material, &fields_tally};
+	&fields_crs, &fields_source, &fields_model, &fields_stage,
+	&fields_image, &fields_material, &fields_tally};
 
 #define EVERY (sizeof every / sizeof *every)
 

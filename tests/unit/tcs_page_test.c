@@ -86,8 +86,8 @@ every_field_stands_in_its_table(void)
 	static const struct tcs_fields *const every[] = {&fields_feature,
 		&fields_attribute, &fields_relation, &fields_geometry,
 		&fields_shell, &fields_polygon, &fields_ring, &fields_paint,
-		&fields_instance, &fields_crs, &fields_source, &fields_stage,
-		&fields_image, &fields_material, &fields_tally};
+		&fields_instance, &fields_crs, &fields_source, &fields_model,
+		&fields_stage, &fields_image, &fields_material, &fields_tally};
 
 	for (size_t i = 0; i < sizeof every / sizeof *every; i++) {
 		char *section = section_of(every[i]->tag, every[i]->size);
