@@ -11,6 +11,13 @@ geometry_has_area(const struct tcs_geometry *geometry)
 		geometry->kind != TCS_MULTI_POINT;
 }
 
+bool
+class_is_portion(unsigned class)
+{
+	return class == TCS_CLASS_BuildingPart ||
+		class == TCS_CLASS_BridgePart || class == TCS_CLASS_TunnelPart;
+}
+
 /* 0 for "nothing", so that a cleared array is a valid start. */
 static uint8_t
 lod_rank(unsigned lod)
@@ -82,6 +89,24 @@ rank_level(struct selection *selection, uint32_t feature, unsigned lod)
 		*best = lod_rank(lod);
 }
 
+/* A host ranks no lower than its portions; children stand behind parents. */
+static void
+raise_hosts(struct selection *selection, const struct tcs_object *object)
+{
+	for (size_t i = object->features.count; i-- > 0;) {
+		const struct tcs_feature *feature = object->features.at + i;
+		uint8_t *best;
+
+		if (feature->parent == TCS_NONE ||
+			!class_is_portion(feature->class))
+			continue;
+		best = selection->best.at +
+			selection->hosts.at[feature->parent];
+		if (*best < selection->best.at[i])
+			*best = selection->best.at[i];
+	}
+}
+
 static bool
 level_is_drawn(const struct selection *selection, uint32_t feature,
 	unsigned level, int wanted)
@@ -110,6 +135,7 @@ selection_make(struct selection *selection, const struct tcs_object *object,
 				geometry[i].lod);
 	for (size_t i = 0; i < object->instances.count; i++)
 		rank_level(selection, instance[i].feature, instance[i].lod);
+	raise_hosts(selection, object);
 	for (size_t i = 0; i < object->geometries.count; i++)
 		selection->geometries.at[i] = geometry_has_area(geometry + i) &&
 			level_is_drawn(selection, geometry[i].feature,

@@ -3,7 +3,9 @@
  *
  * A level is chosen per *host*: a building, a part, an installation, a room.
  * Surfaces and openings belong to their host and share its choice, so a wall
- * is never shown at one level and the roof over it at another.
+ * is never shown at one level and the roof over it at another. What a building
+ * has at a lower level than one of its parts stands for the parts too, and is
+ * not shown with them.
  */
 #ifndef TESSERA_LOD_SELECT_H
 #define TESSERA_LOD_SELECT_H
@@ -35,6 +37,9 @@ struct selection {
 enum tcs_status selection_make(struct selection *selection,
 	const struct tcs_object *object, int lod,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Whether what the class is in may stand for it: a BuildingPart. */
+bool class_is_portion(unsigned class);
 
 /* Whether a geometry is made of polygons: neither curves nor points. */
 bool geometry_has_area(const struct tcs_geometry *geometry);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "labels.h"
+#include "lod_select.h"
 
 void
 link_work_release(struct link_work *work)
@@ -351,6 +352,23 @@ ranks_find(struct link_work *work, const struct raw_object *raw)
 	}
 }
 
+/* A host ranks no lower than its portions; children stand behind parents. */
+static void
+ranks_raise(struct link_work *work, const struct raw_object *raw)
+{
+	for (size_t i = raw->tree.features.count; i-- > 0;) {
+		const struct tcs_feature *feature = &raw->tree.features.at[i];
+		uint32_t group;
+
+		if (feature->parent == TCS_NONE ||
+			!class_is_portion(feature->class))
+			continue;
+		group = work->groups.at[feature->parent];
+		if (work->heads.at[group] < work->heads.at[i])
+			work->heads.at[group] = work->heads.at[i];
+	}
+}
+
 static bool
 lod_is_wanted(const struct link_work *work, const struct lod_choice *choice,
 	uint32_t feature, uint8_t lod)
@@ -367,6 +385,7 @@ lods_choose(struct link_work *work, const struct raw_object *raw,
 	const struct lod_choice *choice)
 {
 	ranks_find(work, raw);
+	ranks_raise(work, raw);
 	for (uint32_t i = 0; i < raw->geometries.count; i++)
 		if (!lod_is_wanted(work, choice, raw->geometries.at[i].feature,
 			    work->lods.at[i]))

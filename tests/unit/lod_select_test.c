@@ -83,6 +83,29 @@ no_level_is_drawn_only_where_nothing_else_is(void)
 	CHECK(drawn(0) && drawn(1) && !drawn(2));
 }
 
+/* Building 0 with parts 1 and 2, the wall 3 of part 1, and installation 4. */
+static void
+a_building_is_not_drawn_over_its_better_parts(void)
+{
+	object_clear(&object);
+	feature(TCS_NONE, TCS_CLASS_Building);
+	feature(0, TCS_CLASS_BuildingPart);
+	feature(0, TCS_CLASS_BuildingPart);
+	feature(1, TCS_CLASS_WallSurface);
+	feature(0, TCS_CLASS_BuildingInstallation);
+	geometry(0, 1, TCS_SOLID, 1);
+	geometry(3, 2, TCS_MULTI_SURFACE, 1);
+	geometry(2, 1, TCS_SOLID, 1);
+	geometry(4, 3, TCS_MULTI_SURFACE, 1);
+	CHECK(!selection_make(&selection, &object, SELECT_HIGHEST, &fault));
+	CHECK(!drawn(0) && drawn(1) && drawn(2) && drawn(3));
+	geometry(0, 2, TCS_SOLID, 1);
+	CHECK(!selection_make(&selection, &object, SELECT_HIGHEST, &fault));
+	CHECK(!drawn(0) && drawn(1) && drawn(2) && drawn(3) && drawn(4));
+	CHECK(!selection_make(&selection, &object, 1, &fault));
+	CHECK(drawn(0) && !drawn(1) && drawn(2));
+}
+
 static void
 a_level_that_is_asked_for_is_the_only_one(void)
 {
@@ -150,6 +173,7 @@ main(void)
 		CHECK_TEST(surfaces_share_the_level_of_their_host),
 		CHECK_TEST(curves_and_empty_geometries_do_not_win),
 		CHECK_TEST(no_level_is_drawn_only_where_nothing_else_is),
+		CHECK_TEST(a_building_is_not_drawn_over_its_better_parts),
 		CHECK_TEST(a_level_that_is_asked_for_is_the_only_one),
 		CHECK_TEST(an_index_numbers_strings_by_first_appearance),
 		CHECK_TEST(the_bin_stands_beside_the_gltf),
