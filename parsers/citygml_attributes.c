@@ -139,9 +139,10 @@ frame_make_attribute(
 	return TCS_OK;
 }
 
-/* An XML attribute that is no reference, id or unit: a member "@name". */
+/* An XML attribute that is no id or unit: a member "@name". A property's link
+ * and its role are more than that. */
 static bool
-is_plain_attribute(const struct xml_attribute *attribute)
+is_plain_attribute(const struct xml_attribute *attribute, bool of_property)
 {
 	static const char *const known[] = {"id", "gml_id", "uom", "codeSpace",
 		"srsName", "srsDimension", "type", "schemaLocation", "nil",
@@ -153,7 +154,7 @@ is_plain_attribute(const struct xml_attribute *attribute)
 	for (size_t i = 0; i < sizeof known / sizeof *known; i++)
 		if (!strcmp(attribute->local, known[i]))
 			return false;
-	return !is_link || !strcmp(attribute->local, "href");
+	return !is_link || (!of_property && !strcmp(attribute->local, "href"));
 }
 
 static enum tcs_status
@@ -185,11 +186,14 @@ attribute_add_members(struct gml_reader *reader,
 	struct tcs_fault *fault)
 {
 	size_t index = reader->frames.count - 1;
+	bool of_property = reader->frames.at[index].role == ROLE_PROPERTY;
+	bool links = of_property && attribute_find(attributes, count, "href");
 
 	for (size_t i = 0; i < count; i++) {
 		enum tcs_status status;
 
-		if (!is_plain_attribute(&attributes[i]))
+		if (!is_plain_attribute(&attributes[i], of_property) ||
+			(links && !strcmp(attributes[i].local, "role")))
 			continue;
 		status = frame_add_member(reader, index, attributes[i].local,
 			attributes[i].value, attributes[i].length, fault);
@@ -197,6 +201,30 @@ attribute_add_members(struct gml_reader *reader,
 			return status;
 	}
 	return TCS_OK;
+}
+
+/* Of an element that became no feature; its set is made for it if need be. */
+enum tcs_status
+attribute_add_id(
+	struct gml_reader *reader, size_t index, struct tcs_fault *fault)
+{
+	tcs_text id = reader->frames.at[index].id;
+	enum tcs_status status;
+	uint32_t member;
+
+	if (!id)
+		return TCS_OK;
+	status = frame_make_attribute(reader, index, fault);
+	if (!status)
+		status = attribute_add(reader, reader->frames.at[index].feature,
+			reader->frames.at[index].attribute, TCS_STRING, &member,
+			fault);
+	if (!status)
+		status = gml_text(reader, "@id", 3,
+			&attribute_at(reader, member)->name, fault);
+	if (!status)
+		attribute_at(reader, member)->value = id;
+	return status;
 }
 
 /* uom and codeSpace wait in the frame for the attribute. */

@@ -209,9 +209,11 @@ property_begin(struct gml_reader *reader, struct name *name,
 	if (href && name->lod != TCS_LOD_NONE)
 		return geometry_link(reader, frame, href, fault);
 	if (href)
-		return relation_add(reader, name, href,
+		status = relation_add(reader, name, href,
 			attribute_find(attributes, count, "role"), fault);
-	return TCS_OK;
+	if (status || name->lod != TCS_LOD_NONE)
+		return status;
+	return attribute_add_members(reader, attributes, count, fault);
 }
 
 static enum tcs_status
@@ -313,8 +315,10 @@ property_end(
 		!reader->raw->tree.features.at[frame->feature].name;
 	enum tcs_status status = TCS_OK;
 
-	if (frame->has_children)
-		return TCS_OK;
+	if (frame->role == ROLE_ATTRIBUTE)
+		status = attribute_add_id(reader, reader->frames.count, fault);
+	if (status || frame->has_children)
+		return status;
 	if (first_name)
 		status = gml_name_end(reader, frame, fault);
 	if (status || (first_name && !frame->code_space))

@@ -299,6 +299,18 @@ skip_unknown(
 	return gml_skip(reader);
 }
 
+/* Up to CityGML 0.4 they may stand in the surface. */
+static enum tcs_status
+skip_texture(struct gml_reader *reader, const struct name *name,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = gml_skipped(reader,
+		name->kind == NAME_TEXTURE ? "texture" : "material",
+		"inside a geometry", NULL, fault);
+
+	return status ? status : gml_skip(reader);
+}
+
 enum tcs_status
 geometry_child(struct gml_reader *reader, struct name *name,
 	const struct xml_attribute *attributes, size_t count,
@@ -313,7 +325,7 @@ geometry_child(struct gml_reader *reader, struct name *name,
 		name->kind == NAME_SURFACE_UNKNOWN)
 		return skip_unknown(reader, name, fault);
 	if (name->kind == NAME_TEXTURE || name->kind == NAME_MATERIAL)
-		return gml_skip(reader);
+		return skip_texture(reader, name, fault);
 	status = gml_push(reader, name, ROLE_GEOMETRY, &frame, fault);
 	if (!status)
 		status = take_attributes(
@@ -493,6 +505,21 @@ target_add(struct gml_reader *reader, const struct frame *frame, bool reversed,
 	return TCS_OK;
 }
 
+/* The one patch of a Surface, or segment of a Curve, which have no ids, goes by
+ * its. */
+static void
+patch_take_id(struct gml_reader *reader, const struct frame *frame)
+{
+	struct raw_object *raw = reader->raw;
+	uint32_t polygon;
+
+	if (raw->members.count != frame->first_member + 1u)
+		return;
+	polygon = raw->members.at[frame->first_member].polygon;
+	if (polygon != TCS_NONE && !raw->polygons.at[polygon].id)
+		raw->polygons.at[polygon].id = frame->id;
+}
+
 enum tcs_status
 geometry_end(
 	struct gml_reader *reader, struct frame *frame, struct tcs_fault *fault)
@@ -506,6 +533,10 @@ geometry_end(
 		status = target_add(reader, frame, parent->reversed, fault);
 	if (status)
 		return status;
+	if (frame->id && parent->role == ROLE_GEOMETRY &&
+		(frame->name->kind == NAME_SURFACE ||
+			frame->name->kind == NAME_CURVE))
+		patch_take_id(reader, frame);
 	if (frame->name->kind == NAME_RING || parent->polygon == TCS_NONE)
 		reader->pos_ring = TCS_NONE;
 	if (parent->role != ROLE_GEOMETRY)

@@ -86,6 +86,11 @@ write_xml_attributes(struct composer *composer, uint32_t index,
 				name);
 			continue;
 		}
+		if (!strcmp(name, "@id")) {
+			markup_attribute(
+				markup, "gml:id", compose_id(composer, value));
+			continue;
+		}
 		strcpy(qualified, prefix_of(composer, module, name + 1));
 		strcat(qualified, name + 1);
 		markup_attribute(markup, qualified, value);
@@ -106,7 +111,8 @@ open_element(struct composer *composer, uint32_t index, const char *module)
 
 	markup_start(markup, module, name);
 	if (compose_is_3(composer) && !strcmp(module, "core") &&
-		!strcmp(name, "Address"))
+		!strcmp(name, "Address") &&
+		value_member(composer, index, "@id") == TCS_NONE)
 		markup_attribute(markup, "gml:id", compose_id(composer, ""));
 	if (*unit && may_give(&given, "uom"))
 		markup_attribute(markup, "uom", unit);
