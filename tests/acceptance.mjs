@@ -80,7 +80,7 @@ function countObject(object, counts, isPrototype) {
 async function count() {
   const counts = {
     polygons: 0, triangles: 0, holes: 0, voids: 0, implicit: 0, x3dmat: 0,
-    max_ring_pts: 0, features: {}, surfaces: {}, lods: {}, crs: null,
+    max_ring_pts: 0, features: {}, surfaces: {}, lods: {}, images: {}, crs: null,
     box: {lower: [Infinity, Infinity, Infinity],
       upper: [-Infinity, -Infinity, -Infinity]},
   };
@@ -91,6 +91,9 @@ async function count() {
       counts.crs = record.crs;
     } else if (record.record === 'palette') {
       counts.x3dmat += record.materials?.length ?? 0;
+      for (const image of record.images ?? []) {
+        counts.images[image.uri] = true;
+      }
     } else if (record.record === 'object' || record.record === 'prototype') {
       countObject(record, counts, record.record === 'prototype');
     }
@@ -135,7 +138,7 @@ function skipped(stats, item, reason = /./) {
 }
 
 // The columns of one file, [name, manifest's value, ours].
-function columns(row, counts, stats, classes) {
+function columns(row, {counts, stats, lost}, classes) {
   const surfaces = known(counts.surfaces, classes);
   return [
     ['features', list(streamNames(row.features)), list(counts.features)],
@@ -148,6 +151,10 @@ function columns(row, counts, stats, classes) {
     ['voids', row.voids, counts.voids],
     ['implicit', row.implicit, counts.implicit],
     ['x3dmat', row.x3dmat, counts.x3dmat],
+    ['textures_refd', row.textures_refd, Object.keys(counts.images).length],
+    ['textures_present', row.textures_present,
+      stats.counts['images present'] ?? 0],
+    ['text', '-', lost],
     ['xlink_dangling', row.xlink_dangling,
       skipped(stats, 'link', /no.*id|nothing/)],
     ['max_ring_pts', row.max_ring_pts, counts.max_ring_pts],
@@ -195,6 +202,7 @@ function readResult(folder, number) {
   if (result.status === '0' && text('.counts')) {
     result.counts = JSON.parse(text('.counts'));
     result.stats = JSON.parse(text('.stats'));
+    result.lost = text('.text').trim();
   } else if (result.status === '0') {
     result.broken.push('a readable stream');
   }
@@ -228,7 +236,7 @@ function explain(differences, file, column, theirs, ours) {
 function judge(row, result, differences, classes, complaint) {
   const notes = [], faults = [...result.broken, ...complaint ?? []];
   const found = result.counts
-    ? columns(row, result.counts, result.stats, classes)
+    ? columns(row, result, classes)
     : result.status === '0' ? [] : [['status', '0', result.status]];
 
   if (result.status !== '0') {

@@ -6,7 +6,7 @@
 # end with status 1, one line on standard error and no output. What is counted
 # in the stream must agree with the folder's MANIFEST.tsv; each difference must
 # stand, with its reason, in acceptance-differences.tsv, and each line there
-# must be needed. The stream must not depend on the number of jobs, on coming
+# must be needed. So must what text_kept.py misses of the text. The stream must not depend on the number of jobs, on coming
 # from a file, a pipe or a gzip, and must survive its text twin.
 #
 # WORK names an empty folder to keep what is made; otherwise nothing is kept.
@@ -43,7 +43,7 @@ equalities() {
 	equal 'one job = two jobs' "$at.one" "$at.tcs"
 	# A pipe, which cannot be read twice.
 	# shellcheck disable=SC2002
-	cat "$file" | citygml2tcs -q --lod all >"$at.pipe"
+	cat "$file" | citygml2tcs -q --lod all --images "${file%/*}" >"$at.pipe"
 	body "$at.tcs" >"$at.body"
 	body "$at.pipe" | cmp -s - "$at.body" || echo 'pipe = file' >>"$at.broken"
 	if [[ $file == *.gz ]]; then
@@ -51,7 +51,8 @@ equalities() {
 	else
 		gzip -1c "$file" >"$at.other"
 	fi
-	citygml2tcs -q --lod all "$at.other" -o "$at.packed"
+	citygml2tcs -q --lod all --images "${file%/*}" "$at.other" \
+		-o "$at.packed"
 	body "$at.packed" | cmp -s - "$at.body" || echo 'gzip = plain' >>"$at.broken"
 	tcs2json "$at.tcs" | json2tcs | cmp -s - "$at.tcs" ||
 		echo 'text twin = stream' >>"$at.broken"
@@ -69,14 +70,16 @@ one() {
 	if ((status == 0)); then
 		[[ -s $at.glb && ! -s $at.said && ! -s $at.said-glb ]] ||
 			echo 'output and no word on success' >>"$at.broken"
-		tcs2json "$at.tcs" |
-			node "$ROOT/tests/acceptance.mjs" count >"$at.counts"
+		tcs2json "$at.tcs" >"$at.json"
+		node "$ROOT/tests/acceptance.mjs" count <"$at.json" \
+			>"$at.counts"
+		"$ROOT/tests/text_kept.py" "$file" "$at.json" >"$at.text"
 		equalities "$file"
 	else
 		[[ $(wc -l <"$at.said") == 1 && ! -e $at.tcs && ! -e $at.glb ]] ||
 			echo 'one line and no output on failure' >>"$at.broken"
 	fi
-	rm -f "$at".{one,pipe,body,other,packed,tcs}
+	rm -f "$at".{one,pipe,body,other,packed,tcs,json}
 }
 export -f body equal equalities one
 

@@ -57,10 +57,22 @@ def attribute_tree(attributes):
         if attribute.get("space"):
             node["space"] = None
         above = attribute.get("member_of")
+        if above is not None and attribute["name"] == "@id":
+            nodes[above]["id"] = attribute["value"]
+            continue
         home = roots if above is None else nodes[above].setdefault("members", [])
         home.append(node)
     roots = [r for r in roots if "space" not in r]
-    return sorted(roots, key=lambda a: json.dumps(a, sort_keys=True))
+    return sorted(roots, key=order_without_ids)
+
+
+def order_without_ids(node):
+    if isinstance(node, dict):
+        return json.dumps({k: order_without_ids(v) for k, v in node.items()
+                           if k != "id"}, sort_keys=True)
+    if isinstance(node, list):
+        return json.dumps([order_without_ids(v) for v in node])
+    return json.dumps(node)
 
 
 def shape(record, materials, images):
