@@ -325,7 +325,7 @@ gml_end_element(void *context, struct tcs_fault *fault)
 		bounds_end(reader, frame);
 		return TCS_OK;
 	case ROLE_MODEL_TEXT:
-		return model_text_end(reader, &frame, fault);
+		return model_text_end(reader, frame, fault);
 	case ROLE_DOCUMENT:
 	case ROLE_MODEL:
 	case ROLE_MEMBER:

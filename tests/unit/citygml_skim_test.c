@@ -60,6 +60,16 @@ members_of_the_model_are_found(void)
 	CHECK(!strncmp(text + parts.head_end, "<m:cityObject", 13));
 }
 
+/* They name the coordinate system. */
+static void
+bounds_of_the_model_are_found(void)
+{
+	CHECK(skim("<M><g:boundedBy><E/></g:boundedBy><a><boundedBy/></a>"
+		   "<a:appearanceMember/></M>") == SKIM_PARTS);
+	CHECK(parts.places.count == 2);
+	CHECK(part_is(0, "<g:boundedBy><E/></g:boundedBy>", 1));
+}
+
 static void
 neighbours_are_one_part(void)
 {
@@ -142,6 +152,7 @@ pieces_do_not_matter(void)
 
 static const struct check_test tests[] = {
 	CHECK_TEST(members_of_the_model_are_found),
+	CHECK_TEST(bounds_of_the_model_are_found),
 	CHECK_TEST(neighbours_are_one_part),
 	CHECK_TEST(what_only_looks_like_one_is_none),
 	CHECK_TEST(members_are_left_at_their_own_end),
