@@ -23,17 +23,15 @@ worst_sine(const struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_point along)
 {
 	const struct seams *seams = work->seams;
-	uint32_t first = seams->nodes.at[node];
-	uint32_t end = seams->nodes.at[node + 1];
-	uint32_t there = seams->nodes.at[target];
-	uint32_t there_end = seams->nodes.at[target + 1];
 	double worst = 0;
 
-	for (uint32_t i = first; i < end; i++) {
+	for (uint32_t i = seams->nodes.at[node]; i != TCS_NONE;
+		i = seams->planes.at[i].next) {
 		const struct seam_plane *plane = &seams->planes.at[i];
 		bool stays = false;
 
-		for (uint32_t k = there; k < there_end; k++)
+		for (uint32_t k = seams->nodes.at[target]; k != TCS_NONE;
+			k = seams->planes.at[k].next)
 			stays |= seams->planes.at[k].component ==
 				plane->component;
 		if (!stays)

@@ -49,18 +49,35 @@ unit_normal(const struct triangle_shape *shape)
 
 /* ---- boundary vertices --------------------------------------------------- */
 
+static bool
+is_known_plane(const struct seams *seams, uint32_t node, uint32_t component,
+	struct tcs_point normal)
+{
+	for (uint32_t i = seams->nodes.at[node]; i != TCS_NONE;
+		i = seams->planes.at[i].next)
+		if (seams->planes.at[i].component == component &&
+			fabs(vector_dot(seams->planes.at[i].normal, normal)) >
+				SAME_PLANE)
+			return true;
+	return false;
+}
+
 static void
 add_plane(struct walk *walk, uint32_t node, uint32_t component,
 	const struct triangle_shape *other)
 {
+	struct tcs_point normal = unit_normal(other);
 	struct seams *seams = walk->seams;
 
+	if (is_known_plane(seams, node, component, normal))
+		return;
 	if (array_grow(&seams->planes, 1)) {
 		walk->failed = true;
 		return;
 	}
-	seams->planes.at[seams->planes.count++] =
-		(struct seam_plane){node, component, unit_normal(other)};
+	seams->planes.at[seams->planes.count] =
+		(struct seam_plane){seams->nodes.at[node], component, normal};
+	seams->nodes.at[node] = (uint32_t)seams->planes.count++;
 }
 
 /*
@@ -153,23 +170,59 @@ judge_corner(struct walk *walk, const struct view *view, int corner)
 		view->component, view->other);
 }
 
+static double
+least(const double a[3])
+{
+	double low = a[0] < a[1] ? a[0] : a[1];
+
+	return low < a[2] ? low : a[2];
+}
+
+static double
+most(const double a[3])
+{
+	double high = a[0] > a[1] ? a[0] : a[1];
+
+	return high > a[2] ? high : a[2];
+}
+
 /* A triangle as seen from the other; false when it is out of reach. */
 static bool
 look_at(const struct walk *walk, struct view *view)
 {
 	struct tcs_point normal = unit_normal(view->other);
-	double low = INFINITY, high = -INFINITY;
+	double low, high;
 
-	for (int k = 0; k < 3; k++) {
+	for (int k = 0; k < 3; k++)
 		view->heights[k] = vector_dot(normal,
 			vector_difference(view->shape->corner[k],
 				view->other->corner[0]));
-		low = fmin(low, view->heights[k]);
-		high = fmax(high, view->heights[k]);
-	}
+	low = least(view->heights);
+	high = most(view->heights);
 	/* Longer by the buffer, on either side. */
 	return low - BUFFER * (high - low) <= walk->reach &&
 		high + BUFFER * (high - low) >= -walk->reach;
+}
+
+static bool
+is_beside(const double a[3], const double b[3], double reach)
+{
+	return least(a) - most(b) > reach || least(b) - most(a) > reach;
+}
+
+/* Whether the boxes of two triangles are farther apart than `reach`. */
+static bool
+are_far(const struct triangle_shape *a, const struct triangle_shape *b,
+	double reach)
+{
+	const struct tcs_point *p = a->corner, *q = b->corner;
+
+	return is_beside((double[3]){p[0].x, p[1].x, p[2].x},
+		       (double[3]){q[0].x, q[1].x, q[2].x}, reach) ||
+		is_beside((double[3]){p[0].y, p[1].y, p[2].y},
+			(double[3]){q[0].y, q[1].y, q[2].y}, reach) ||
+		is_beside((double[3]){p[0].z, p[1].z, p[2].z},
+			(double[3]){q[0].z, q[1].z, q[2].z}, reach);
 }
 
 /* The two triangles of a pair, each as seen from the other. */
@@ -181,6 +234,9 @@ make_views(const struct walk *walk, uint32_t left, uint32_t right,
 	const uint32_t places[2] = {left, right};
 	uint32_t faces[2];
 
+	if (are_far(&tree->shapes.at[left], &tree->shapes.at[right],
+		    walk->reach))
+		return false;
 	for (int i = 0; i < 2; i++)
 		faces[i] = walk->sheets->triangle_faces
 				   .at[tree->boxes.items.at[places[i]]];
@@ -337,58 +393,26 @@ follow(struct walk *walk, const struct contact *contact, uint32_t number,
 	return keep_points(walk->seams, number, fault);
 }
 
-static int
-by_node_and_component(const void *left, const void *right)
-{
-	const struct seam_plane *a = left, *b = right;
-	int order;
-
-	if (a->node != b->node)
-		return a->node < b->node ? -1 : 1;
-	if (a->component != b->component)
-		return a->component < b->component ? -1 : 1;
-	order = compare_numbers(a->normal.x, b->normal.x);
-	if (!order)
-		order = compare_numbers(a->normal.y, b->normal.y);
-	return order ? order : compare_numbers(a->normal.z, b->normal.z);
-}
-
-static bool
-is_known_plane(const struct seam_plane *planes, size_t first, size_t count,
-	const struct seam_plane *plane)
-{
-	for (size_t i = count; i-- > first;)
-		if (planes[i].component == plane->component &&
-			fabs(vector_dot(planes[i].normal, plane->normal)) >
-				SAME_PLANE)
-			return true;
-	return false;
-}
-
-/* Sort the planes by node, each direction of a component once. */
 static enum tcs_status
-sort_planes(struct walk *walk, struct tcs_fault *fault)
+clear(struct seams *seams, size_t faces, size_t nodes, size_t contacts,
+	struct tcs_fault *fault)
 {
-	struct seams *seams = walk->seams;
-	struct seam_plane *planes = seams->planes.at;
-	size_t nodes = walk->sheets->node_count, count = 0, i = 0;
-
-	if (array_grow(&seams->nodes, nodes + 1))
+	array_clear(&seams->points);
+	array_clear(&seams->holds);
+	array_clear(&seams->faces);
+	array_clear(&seams->counts);
+	array_clear(&seams->planes);
+	array_clear(&seams->nodes);
+	if (array_grow(&seams->faces, faces) ||
+		array_grow(&seams->nodes, nodes) ||
+		array_grow(&seams->counts, contacts))
 		return fault_memory(fault);
-	if (seams->planes.count > 0)
-		qsort(planes, seams->planes.count, sizeof *planes,
-			by_node_and_component);
-	for (size_t node = 0; node < nodes; node++) {
-		size_t first = count;
-
-		seams->nodes.at[node] = (uint32_t)count;
-		for (; i < seams->planes.count && planes[i].node == node; i++)
-			if (!is_known_plane(planes, first, count, &planes[i]))
-				planes[count++] = planes[i];
-	}
-	seams->nodes.at[nodes] = (uint32_t)count;
-	seams->nodes.count = nodes + 1;
-	seams->planes.count = count;
+	seams->faces.count = faces;
+	for (size_t i = 0; i < faces; i++)
+		seams->faces.at[i] = TCS_NONE;
+	seams->nodes.count = nodes;
+	for (size_t i = 0; i < nodes; i++)
+		seams->nodes.at[i] = TCS_NONE;
 	return TCS_OK;
 }
 
@@ -398,21 +422,9 @@ seams_find(struct seams *seams, const struct component_set *set,
 	double reach, struct tcs_fault *fault)
 {
 	struct walk walk = {seams, set, sheets, reach, false};
-	size_t faces = sheets->face_triangles.count;
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status = clear(seams, sheets->face_triangles.count,
+		sheets->node_count, contacts->count, fault);
 
-	array_clear(&seams->points);
-	array_clear(&seams->holds);
-	array_clear(&seams->faces);
-	array_clear(&seams->counts);
-	array_clear(&seams->planes);
-	array_clear(&seams->nodes);
-	if (array_grow(&seams->faces, faces) ||
-		array_grow(&seams->counts, contacts->count))
-		return fault_memory(fault);
-	seams->faces.count = faces;
-	for (size_t i = 0; i < faces; i++)
-		seams->faces.at[i] = TCS_NONE;
 	for (size_t i = 0; !status && i < contacts->count; i++) {
 		seams->counts.at[seams->counts.count++] =
 			(struct seam_count){0, 0};
@@ -420,8 +432,6 @@ seams_find(struct seams *seams, const struct component_set *set,
 			status = follow(
 				&walk, &contacts->at[i], (uint32_t)i, fault);
 	}
-	if (!status)
-		status = sort_planes(&walk, fault);
 	return status;
 }
 

@@ -43,7 +43,7 @@ struct seam_count {
 
 /* A boundary vertex and the face of another component that it meets. */
 struct seam_plane {
-	uint32_t node;
+	uint32_t next; /* plane of the same node; TCS_NONE */
 	uint32_t component; /* the other */
 	struct tcs_point normal; /* of length 1 */
 };
@@ -54,8 +54,8 @@ struct seams {
 	TCS_ARRAY(struct seam_hold) holds;
 	TCS_ARRAY(uint32_t) faces; /* per face: its first hold; TCS_NONE */
 	TCS_ARRAY(struct seam_count) counts; /* per contact */
-	TCS_ARRAY(struct seam_plane) planes; /* by node */
-	TCS_ARRAY(uint32_t) nodes; /* per node: its first plane; one more */
+	TCS_ARRAY(struct seam_plane) planes;
+	TCS_ARRAY(uint32_t) nodes; /* per node: its first plane; TCS_NONE */
 	TCS_ARRAY(struct seam_point) found; /* scratch */
 	TCS_ARRAY(uint32_t) found_faces; /* scratch: two per point */
 };
