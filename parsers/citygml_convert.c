@@ -30,6 +30,19 @@ struct slot {
 	struct report templates; /* what became of them */
 	TCS_ARRAY(char *) missing; /* owned: ids that were not found */
 	TCS_ARRAY(uint64_t) hashes; /* of the ids that links may name */
+	enum tcs_status status; /* of the work on it */
+	struct tcs_fault fault;
+};
+
+/*
+ * What goes through the crew at once: objects that one chunk of the document
+ * completes. So all but the first are shorter than a chunk.
+ */
+enum { BATCH = 16 };
+
+struct batch {
+	struct slot slots[BATCH];
+	size_t count;
 };
 
 struct convert {
@@ -44,8 +57,8 @@ struct convert {
 	TCS_ARRAY(uint64_t) deferred; /* numbers of the objects that wait */
 	size_t next_deferred;
 	struct builder *builders; /* one per job */
-	struct slot *slots;
-	size_t slot_count;
+	struct batch *batches;
+	size_t batch_count;
 	enum convert_phase phase;
 	struct place_log places; /* of the objects of the first phase */
 	struct tcs_record head; /* made with the first object read */
@@ -88,24 +101,40 @@ prepare_head(struct convert *convert, const struct raw_object *first,
 	return status;
 }
 
+/* Put the wanted ones among the complete objects into the batch. */
+static void
+batch_fill(struct convert *convert, struct batch *batch)
+{
+	struct gml_reader *reader = &convert->document.reader;
+	struct raw_object *raw;
+
+	while (batch->count < BATCH && (raw = gml_take(reader))) {
+		if (is_wanted(convert, raw))
+			batch->slots[batch->count++].raw = raw;
+		else
+			gml_recycle(reader, raw);
+	}
+}
+
 static enum tcs_status
 convert_read(void *context, void *item, bool *done, struct tcs_fault *fault)
 {
 	struct convert *convert = context;
 	struct document *document = &convert->document;
-	struct slot *slot = item;
+	struct batch *batch = item;
 
-	gml_recycle(&document->reader, slot->raw);
+	for (size_t i = 0; i < batch->count; i++) {
+		gml_recycle(&document->reader, batch->slots[i].raw);
+		batch->slots[i].raw = NULL;
+	}
+	batch->count = 0;
 	for (;;) {
 		enum tcs_status status;
 
-		slot->raw = gml_take(&document->reader);
-		if (slot->raw && is_wanted(convert, slot->raw))
-			return prepare_head(convert, slot->raw, fault);
-		if (slot->raw) {
-			gml_recycle(&document->reader, slot->raw);
-			continue;
-		}
+		batch_fill(convert, batch);
+		if (batch->count)
+			return prepare_head(
+				convert, batch->slots[0].raw, fault);
 		if (document->ended) {
 			*done = true;
 			return TCS_OK;
@@ -212,11 +241,9 @@ work_on_templates(struct convert *convert, struct slot *slot,
 }
 
 static enum tcs_status
-convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
+slot_work(struct convert *convert, struct slot *slot, struct builder *builder,
+	struct tcs_fault *fault)
 {
-	struct convert *convert = context;
-	struct builder *builder = &convert->builders[worker];
-	struct slot *slot = item;
 	enum tcs_status status;
 
 	slot_forget(slot);
@@ -239,6 +266,25 @@ convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
 		return status;
 	return object_encode(
 		&slot->raw->tree, TCS_OBJECT, &slot->record, fault);
+}
+
+/* A failure waits until the objects before have been written. */
+static enum tcs_status
+convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
+{
+	struct convert *convert = context;
+	struct batch *batch = item;
+
+	(void)fault;
+	for (size_t i = 0; i < batch->count; i++) {
+		struct slot *slot = &batch->slots[i];
+
+		slot->status = slot_work(convert, slot,
+			&convert->builders[worker], &slot->fault);
+		if (slot->status)
+			break;
+	}
+	return TCS_OK;
 }
 
 /* ---- writing ---------------------------------------------------------------------- */
@@ -267,10 +313,8 @@ defer(struct convert *convert, const struct slot *slot, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-convert_write(void *context, void *item, struct tcs_fault *fault)
+slot_write(struct convert *convert, struct slot *slot, struct tcs_fault *fault)
 {
-	struct convert *convert = context;
-	struct slot *slot = item;
 	enum tcs_status status = TCS_OK;
 
 	if (convert->phase == PHASE_COLLECT)
@@ -297,6 +341,22 @@ convert_write(void *context, void *item, struct tcs_fault *fault)
 		status = report_strict(convert->report, fault);
 	return status ? status
 		      : writer_put(&convert->writer, &slot->record, fault);
+}
+
+static enum tcs_status
+convert_write(void *context, void *item, struct tcs_fault *fault)
+{
+	struct batch *batch = item;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < batch->count; i++) {
+		status = batch->slots[i].status;
+		if (status)
+			*fault = batch->slots[i].fault;
+		else
+			status = slot_write(context, &batch->slots[i], fault);
+	}
+	return status;
 }
 
 /* ---- the passes ----------------------------------------------------------------------- */
@@ -350,9 +410,9 @@ run_phase(struct convert *convert, enum convert_phase phase,
 {
 	const struct crew_plan plan = {
 		.context = convert,
-		.slots = convert->slots,
-		.slot_size = sizeof *convert->slots,
-		.slot_count = convert->slot_count,
+		.slots = convert->batches,
+		.slot_size = sizeof *convert->batches,
+		.slot_count = convert->batch_count,
 		.read = convert_read,
 		.work = convert_work,
 		.write = convert_write,
@@ -462,12 +522,13 @@ convert_begin(struct convert *convert, FILE *file, struct tcs_fault *fault)
 	progress_begin(&convert->progress, convert->command->program->name,
 		"objects", convert->command->quiet);
 	convert->plan.lods = convert->options->lods;
-	convert->slot_count = crew_slots(jobs);
-	convert->slots = calloc(convert->slot_count, sizeof *convert->slots);
+	convert->batch_count = crew_slots(jobs);
+	convert->batches =
+		calloc(convert->batch_count, sizeof *convert->batches);
 	convert->builders = calloc(jobs, sizeof *convert->builders);
 	status = gml_begin(
 		&convert->document.reader, &convert->options->reading, fault);
-	if (!status && (!convert->slots || !convert->builders))
+	if (!status && (!convert->batches || !convert->builders))
 		status = fault_memory(fault);
 	for (unsigned i = 0; !status && i < jobs; i++)
 		status = builder_init(&convert->builders[i], fault);
@@ -475,23 +536,29 @@ convert_begin(struct convert *convert, FILE *file, struct tcs_fault *fault)
 }
 
 static void
+slot_release(struct slot *slot)
+{
+	raw_free(slot->raw);
+	record_release(&slot->record);
+	record_release(&slot->palette);
+	object_release(&slot->prototype);
+	report_release(&slot->templates);
+	for (size_t i = 0; i < slot->prototypes.count; i++)
+		record_release(&slot->prototypes.at[i]);
+	array_release(&slot->prototypes);
+	slot_forget(slot);
+	array_release(&slot->missing);
+	array_release(&slot->hashes);
+}
+
+static void
 convert_end(struct convert *convert)
 {
 	progress_end(&convert->progress);
-	for (size_t i = 0; convert->slots && i < convert->slot_count; i++) {
-		raw_free(convert->slots[i].raw);
-		record_release(&convert->slots[i].record);
-		record_release(&convert->slots[i].palette);
-		object_release(&convert->slots[i].prototype);
-		report_release(&convert->slots[i].templates);
-		for (size_t j = 0; j < convert->slots[i].prototypes.count; j++)
-			record_release(&convert->slots[i].prototypes.at[j]);
-		array_release(&convert->slots[i].prototypes);
-		slot_forget(&convert->slots[i]);
-		array_release(&convert->slots[i].missing);
-		array_release(&convert->slots[i].hashes);
-	}
-	free(convert->slots);
+	for (size_t i = 0; convert->batches && i < convert->batch_count; i++)
+		for (size_t k = 0; k < BATCH; k++)
+			slot_release(&convert->batches[i].slots[k]);
+	free(convert->batches);
 	for (unsigned i = 0; convert->builders && i < convert->command->jobs;
 		i++)
 		builder_release(&convert->builders[i]);
