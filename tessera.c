@@ -11,7 +11,7 @@
 #include "pipeline.h"
 #include "program.h"
 
-enum { MAX_TAKERS = 4, MAX_NAME = 4096, MAX_NUMBER = 24, MAX_OPTION = 64 };
+enum { MAX_TAKERS = 5, MAX_NAME = 4096, MAX_NUMBER = 24, MAX_OPTION = 64 };
 
 /* A format by the end of a file's name, and who reads and writes it. */
 struct format {
@@ -216,6 +216,7 @@ make_plan(struct plan *plan, struct passed *passed, struct tcs_fault *fault)
 	const struct format *to = choose_format(
 		command, plan->to, command->output, "--to FORMAT");
 	const char *reader = from->reader, *writer = to->writer;
+	bool simplified = find_passed(passed, "rate")->value != NULL;
 	enum tcs_status status = TCS_OK;
 
 	if (!reader)
@@ -223,13 +224,15 @@ make_plan(struct plan *plan, struct passed *passed, struct tcs_fault *fault)
 			command, ".%s is written, not read", from->suffix);
 	if (!writer)
 		program_usage(command, ".%s is read, not written", to->suffix);
-	if (!*reader && !*writer)
+	if (!*reader && !*writer && !simplified)
 		program_usage(
 			command, "from .tcs to .tcs there is nothing to do");
 	if (!strcmp(reader, "citygml2tcs") && !strcmp(writer, "tcs2citygml"))
 		choose_levels(passed);
 	if (*reader)
 		status = add_stage(plan, reader, passed, fault);
+	if (!status && simplified)
+		status = add_stage(plan, "tcs-simplify", passed, fault);
 	if (!strcmp(writer, "tcs2gltf"))
 		choose_images(plan, passed);
 	if (!status && *writer)
@@ -425,6 +428,8 @@ static const struct passed passed_options[] = {
 		"Levels of detail to take (default: the highest of each "
 		"feature; to CityGML: all).",
 		{"citygml2tcs", "tcs2gltf"}, .value = NULL},
+	{"rate", "R", "Simplify: remove this share of each object's triangles.",
+		{"tcs-simplify"}, .value = NULL},
 	{"ade", "HOW", "What extensions of CityGML add: keep, drop.",
 		{"citygml2tcs"}, .value = NULL},
 	{"max-bytes", "N", "Longest document to read, uncompressed.",
@@ -438,7 +443,8 @@ static const struct passed passed_options[] = {
 	{"max-library", "N", "Largest library object to read.", {"citygml2tcs"},
 		.value = NULL},
 	{"max-record", "BYTES", "Largest record of the stream.",
-		{"json2tcs", "tcs2json", "tcs2gltf", "tcs2citygml"},
+		{"json2tcs", "tcs-simplify", "tcs2json", "tcs2gltf",
+			"tcs2citygml"},
 		.value = NULL},
 	{"citygml", "VERSION", "CityGML to write: 1.0, 2.0, 3.0.",
 		{"tcs2citygml"}, .value = NULL},

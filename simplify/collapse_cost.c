@@ -66,9 +66,7 @@ collapse_cost(const struct collapses *work, uint32_t node, uint32_t target)
 		border_cost(work, node, to) +
 		SHORTNESS * work->areas.at[node] * square;
 
-	if (!(cost < INFINITY) ||
-		work->seams->nodes.at[node] ==
-			work->seams->nodes.at[node + 1] ||
+	if (!(cost < INFINITY) || work->seams->nodes.at[node] == TCS_NONE ||
 		!(square > 0))
 		return cost;
 	/* `pull` is how far the vertex leaves the other component; it costs
