@@ -7,7 +7,7 @@
 #include "solid_cells.h"
 #include "solid_pieces.h"
 
-enum { SOLID_MOST_CELLS = 1 << 21 };
+enum { SOLID_MOST_CELLS = 1 << 19 };
 
 /* A cell to be cut, and where its items start; they end where those of the next
  * one start. */

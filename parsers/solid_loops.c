@@ -107,37 +107,63 @@ loop_area(const struct solid_outline *outline, struct solid_view view,
 	return area / 2;
 }
 
-/* As many edges start at a point as end there: the walk ends where it began. */
+/* The end of the path, from `first` on, is a loop. */
 static enum tcs_status
-loop_walk(struct solid_outline *outline, struct solid_view view, uint32_t start,
+loop_take(struct solid_outline *outline, struct solid_view view, size_t first,
 	struct tcs_fault *fault)
 {
 	struct solid_loop loop = {.first = (uint32_t)outline->loop_points.count,
 		.owner = UINT32_MAX};
-	uint32_t at = start;
 
-	do {
-		struct solid_rim *rim = &outline->rims.at[at];
+	if (array_grow(&outline->loop_points, outline->path.count - first) ||
+		array_grow(&outline->loops, 1))
+		return fault_memory(fault);
+	for (size_t i = first; i < outline->path.count; i++) {
+		struct solid_rim *rim = &outline->rims.at[outline->path.at[i]];
+		struct solid_joint *joint = &outline->joints.at[rim->from];
 
-		if (array_grow(&outline->loop_points, 1))
-			return fault_memory(fault);
-		if (!outline->joints.at[rim->from].straight) {
-			outline->loop_points.at[outline->loop_points.count++] =
-				rim->from;
-			loop.count++;
-		}
-		rim->used = at != start;
 		rim->loop = (uint32_t)outline->loops.count;
-		at = rim_after(outline, view, at);
-	} while (at != start && at != UINT32_MAX);
-	outline->rims.at[start].used = true;
+		joint->place = 0;
+		if (joint->straight)
+			continue;
+		outline->loop_points.at[outline->loop_points.count++] =
+			rim->from;
+		loop.count++;
+	}
+	outline->path.count = first;
 	if (loop.count < 3)
 		return TCS_OK;
-	if (array_grow(&outline->loops, 1))
-		return fault_memory(fault);
 	loop.area = loop_area(outline, view, &loop);
 	outline->loops.at[outline->loops.count++] = loop;
 	return TCS_OK;
+}
+
+/*
+ * As many edges start at a point as end there, so the walk comes back to where
+ * it began. Wherever it comes back to a point before, it has walked a loop.
+ */
+static enum tcs_status
+loops_take(struct solid_outline *outline, struct solid_view view, uint32_t at,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	array_clear(&outline->path);
+	do {
+		struct solid_rim *rim = &outline->rims.at[at];
+		const struct solid_joint *to = &outline->joints.at[rim->to];
+
+		if (array_grow(&outline->path, 1))
+			return fault_memory(fault);
+		outline->path.at[outline->path.count++] = at;
+		outline->joints.at[rim->from].place =
+			(uint32_t)outline->path.count;
+		rim->used = true;
+		if (to->place)
+			status = loop_take(outline, view, to->place - 1, fault);
+		at = rim_after(outline, view, at);
+	} while (!status && outline->path.count && at != UINT32_MAX);
+	return status;
 }
 
 /* ---- holes ------------------------------------------------------------------- */
@@ -203,7 +229,7 @@ solid_loops_walk(struct solid_outline *outline, struct solid_view view,
 	rims_link(outline, first, end);
 	for (size_t i = first; !status && i < end; i++)
 		if (!outline->rims.at[i].used)
-			status = loop_walk(outline, view, (uint32_t)i, fault);
+			status = loops_take(outline, view, (uint32_t)i, fault);
 	for (size_t i = 0; !status && i < outline->loops.count; i++)
 		if (outline->loops.at[i].area < 0)
 			outline->loops.at[i].owner =

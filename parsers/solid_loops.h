@@ -17,8 +17,8 @@ struct solid_view solid_view_of(const struct solid_plane *plane, bool up);
 struct planar_point solid_view_at(struct solid_view view, struct tcs_point at);
 
 /*
- * Walk the rims from `first` to `end`, those of one face, so that what touches
- * in a point comes apart: outline->loops, holes with their owners. Fails with
+ * Walk the rims from `first` to `end`, those of one face: outline->loops, holes
+ * with their owners. No loop comes to a point twice. Fails with
  * TCS_NO_MEMORY.
  */
 enum tcs_status solid_loops_walk(struct solid_outline *outline,

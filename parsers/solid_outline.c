@@ -20,6 +20,7 @@ solid_outline_release(struct solid_outline *outline)
 	array_release(&outline->joints);
 	array_release(&outline->loops);
 	array_release(&outline->loop_points);
+	array_release(&outline->path);
 	array_release(&outline->face_points);
 	array_release(&outline->face_rings);
 }

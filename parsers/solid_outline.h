@@ -35,6 +35,7 @@ struct solid_joint {
 	uint32_t planes[2]; /* of the line to the first neighbour */
 	uint32_t count; /* of neighbours, up to 3 */
 	uint32_t rim; /* the first from it of the face at hand, + 1 */
+	uint32_t place; /* in the path, + 1; 0: not on it */
 	bool straight; /* the two edges there lie on one line */
 };
 
@@ -70,6 +71,7 @@ struct solid_outline {
 	TCS_ARRAY(struct solid_joint) joints; /* of each point */
 	TCS_ARRAY(struct solid_loop) loops; /* of the face at hand */
 	struct solid_numbers loop_points;
+	struct solid_numbers path; /* rims walked that are in no loop yet */
 	struct solid_point_list face_points;
 	struct solid_numbers face_rings;
 };

@@ -182,6 +182,27 @@ openings_that_touch_each_other_and_the_edge(void)
 }
 
 static void
+openings_that_touch_in_a_corner_are_two_holes(void)
+{
+	struct solid wall = shape_box(0, 0, 0, 6, 0.3, 4), out = {0};
+	struct solid holes[2] = {
+		shape_box(1, -1, 1, 2, 1, 2), shape_box(2, -1, 2, 3, 1, 3)};
+	const struct solid *tools[2] = {&holes[0], &holes[1]};
+	struct solid_task task = {
+		.host = &wall, .tools = tools, .tool_count = 2};
+	struct solid_report report;
+
+	cut(&task, &out, &report);
+	CHECK(near(report.volume, (24 - 2) * 0.3));
+	CHECK(out.faces.count == 6 + 8 && out.ring_ends.count == 14 + 4);
+	CHECK(out.points.count == 14 * 4 + 4 * 4);
+	for (int i = 0; i < 2; i++)
+		solid_release(&holes[i]);
+	solid_release(&wall);
+	solid_release(&out);
+}
+
+static void
 an_opening_through_several_layers(void)
 {
 	const double at[] = {0, 0.02, 0.14, 0.14001, 0.3};
@@ -272,7 +293,7 @@ a_gable_is_clipped_by_its_roofs(void)
 		{{0, 0, 3}, {-1, 0, 1}, 5}, {{4, 7, 3}, {30, 0, 30}, 6}};
 
 	CHECK(near(clipped(&wall, roofs, 2, &out), 0.3 * (4 * 3 + 4)));
-	CHECK(out.faces.count == 7);
+	CHECK(out.faces.count == 7 && out.points.count == 2 * 5 + 5 * 4);
 	for (size_t i = 0; i < out.faces.count; i++) {
 		const struct solid_face *face = &out.faces.at[i];
 
@@ -314,20 +335,20 @@ planes_through_corners_edges_and_faces(void)
 static void
 coordinates_that_stay_keep_every_bit(void)
 {
-	struct solid wall = shape_box(0, 0, 0, 4, 0.3, 3), out = {0};
-	struct solid_half_space roof = {{2, 0, 2.5}, {0.3, 0.1, 1}, 0};
+	struct solid column = shape_column(0, 0, 0.7, 11, 0.3, 0, 3), out = {0};
+	struct solid_half_space roof = {{0, 0, 0}, {0.3, 0.1, 1}, 0};
 	size_t kept = 0;
 
-	shape_move(&wall, &places[1]);
-	roof.point = shape_placed(&places[1], 2, 0, 2.5);
-	clipped(&wall, &roof, 1, &out);
+	shape_move(&column, &places[1]);
+	roof.point = shape_placed(&places[1], 0, 0, 2.5);
+	clipped(&column, &roof, 1, &out);
 	for (size_t i = 0; i < out.points.count; i++)
-		for (size_t j = 0; j < 4; j++)
-			kept += out.points.at[i].x == wall.points.at[j].x &&
-				out.points.at[i].y == wall.points.at[j].y &&
-				out.points.at[i].z == wall.points.at[j].z;
-	CHECK(kept == 12); /* four corners of three faces each */
-	solid_release(&wall);
+		for (size_t j = 0; j < 11; j++)
+			kept += out.points.at[i].x == column.points.at[j].x &&
+				out.points.at[i].y == column.points.at[j].y &&
+				out.points.at[i].z == column.points.at[j].z;
+	CHECK(kept == 33); /* eleven corners of three faces each */
+	solid_release(&column);
 	solid_release(&out);
 }
 
@@ -479,6 +500,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(a_cavity_is_a_shell_inside),
 	CHECK_TEST(an_opening_flush_with_the_wall_leaves_no_skin),
 	CHECK_TEST(openings_that_touch_each_other_and_the_edge),
+	CHECK_TEST(openings_that_touch_in_a_corner_are_two_holes),
 	CHECK_TEST(an_opening_through_several_layers),
 	CHECK_TEST(a_wall_that_is_all_opening_is_empty),
 	CHECK_TEST(round_holes_in_a_slab_come_out_as_rings),

@@ -8,6 +8,7 @@
 
 #include <stdint.h>
 
+#include "parsers/solid_points.h"
 #include "solid_shapes.h"
 
 struct pair_bytes {
@@ -188,6 +189,28 @@ pair_release(struct solid_pair *pair)
 
 /* ---- what must hold ---------------------------------------------------------- */
 
+/* The area of a face. */
+static inline double
+pair_face_area(const struct solid *solid, size_t number)
+{
+	const struct solid_face *face = &solid->faces.at[number];
+	struct tcs_point sum = {0, 0, 0};
+
+	for (uint32_t i = 0; i < face->ring_count; i++) {
+		size_t count;
+		const struct tcs_point *ring =
+			solid_ring(solid, face->first_ring + i, &count);
+
+		for (size_t j = 2; j < count; j++) {
+			struct tcs_point a = point_minus(ring[j - 1], ring[0]);
+			struct tcs_point b = point_minus(ring[j], ring[0]);
+
+			sum = point_plus(sum, point_cross(a, b));
+		}
+	}
+	return sqrt(point_dot(sum, sum)) / 2;
+}
+
 /* One boolean. Adds to *volume; returns what is wrong with it, or NULL. */
 static inline const char *
 pair_cut(struct solid_cutter *cutter, enum solid_operation operation,
@@ -216,9 +239,12 @@ pair_cut(struct solid_cutter *cutter, enum solid_operation operation,
 		wrong = "a tool is at fault";
 	if (sound && report.crossing)
 		wrong = "a host crosses itself";
-	for (size_t i = 0; sound && i < out.faces.count; i++)
+	for (size_t i = 0; sound && i < out.faces.count; i++) {
 		if (out.faces.at[i].face == SOLID_NO_FACE)
 			wrong = "a face comes from none";
+		if (pair_face_area(&out, i) < 1e-13)
+			wrong = "a face has no area";
+	}
 	solid_release(&out);
 	return wrong;
 }
