@@ -1,6 +1,7 @@
 #include <string.h>
 
 #include "ifc_curved_face.h"
+#include "ifc_cut.h"
 #include "ifc_edge.h"
 #include "ifc_item.h"
 #include "ifc_orient.h"
@@ -122,11 +123,44 @@ is_curved(const struct ifc_file *file, uint32_t face)
 		IFC_PLANE;
 }
 
+/* One face, plane or curved; true in *curved for the latter. */
+static enum ifc_outcome
+face_read(struct ifc_shaper *shaper, uint32_t face, bool *curved,
+	struct ifc_faces *out)
+{
+	enum ifc_outcome outcome;
+
+	if (is_curved(shaper->file, face)) {
+		*curved = true;
+		return ifc_curved_face(shaper, face, out);
+	}
+	outcome = face_rings(shaper, face, out);
+	return outcome ? outcome : ifc_face_end_wound(shaper, out);
+}
+
+/* A face that is bad is left out, with a remark; a shell of such is refused. */
+static enum ifc_outcome
+face_take(struct ifc_shaper *shaper, uint32_t face, bool *curved,
+	struct ifc_faces *out)
+{
+	size_t before = out->faces.count;
+	unsigned depth = shaper->depth;
+	enum ifc_outcome outcome = face_read(shaper, face, curved, out);
+
+	if (outcome != IFC_REFUSED)
+		return outcome;
+	ifc_faces_cut(out, before);
+	shaper->depth = depth;
+	return ifc_remark(
+		shaper, shaper->culprit, REPORT_SKIPPED, shaper->reason);
+}
+
 static enum ifc_outcome
 face_set(struct ifc_shaper *shaper, uint32_t set, struct ifc_faces *out)
 {
 	struct step_value list = ifc_value(shaper->file, set, FACES), item;
 	TCS_ARRAY(uint32_t) groups = {.count = 0};
+	size_t first = out->faces.count;
 	enum ifc_outcome outcome = IFC_SHAPED;
 	bool curved = false;
 
@@ -134,26 +168,20 @@ face_set(struct ifc_shaper *shaper, uint32_t set, struct ifc_faces *out)
 		list.kind != STEP_LIST)
 		return ifc_refuse(shaper, set, "a shell has no faces");
 	while (!outcome && step_next(&list.list, &item) > STEP_END) {
-		uint32_t face = step_target(shaper->file->step, &item);
-
 		if (array_grow(&groups, 1)) {
 			outcome = IFC_NO_MEMORY;
 			break;
 		}
 		groups.at[groups.count++] = (uint32_t)out->faces.count;
-		if (is_curved(shaper->file, face)) {
-			curved = true;
-			outcome = ifc_curved_face(shaper, face, out);
-			continue;
-		}
-		outcome = face_rings(shaper, face, out);
-		if (!outcome)
-			outcome = ifc_face_end_wound(shaper, out);
+		outcome = face_take(shaper,
+			step_target(shaper->file->step, &item), &curved, out);
 	}
 	/* Many programs disagree with themselves on senses of curved faces. */
 	if (!outcome && curved)
 		outcome = ifc_groups_orient(groups.at, groups.count, out);
 	array_release(&groups);
+	if (!outcome && out->faces.count == first)
+		return ifc_refuse(shaper, set, "a shell has no faces");
 	return outcome;
 }
 
@@ -210,4 +238,14 @@ ifc_surface_model(
 		outcome = face_set(shaper,
 			step_target(shaper->file->step, &set), &out->faces);
 	return outcome;
+}
+
+enum ifc_outcome
+ifc_lone_face(struct ifc_shaper *shaper, uint32_t item, struct ifc_body *out)
+{
+	enum ifc_outcome outcome = ifc_part_begin(out, IFC_PART_SURFACE, item);
+	bool curved;
+
+	return outcome ? outcome
+		       : face_read(shaper, item, &curved, &out->faces);
 }

@@ -2,7 +2,7 @@
  * Curves as polylines.
  *
  * A curve in a plane has z = 0. Arcs become chords that are nowhere further
- * off than the shaper's deflection, never fewer than twelve for a full turn,
+ * off than the shaper's deflection, never fewer than 24 for a full turn,
  * and as many in each quarter of it, so that the box of a circle is its own.
  *
  * source: ISO 10303-42 4.4 (parametrisations), ISO 16739-1 8.9.3 (curves).

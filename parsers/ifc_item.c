@@ -153,6 +153,10 @@ body_inside(struct ifc_shaper *shaper, uint32_t item, struct ifc_body *out)
 	case IFC_ADVANCEDBREP:
 	case IFC_ADVANCEDBREPWITHVOIDS:
 		return ifc_brep(shaper, item, out);
+	case IFC_FACE:
+	case IFC_FACESURFACE:
+	case IFC_ADVANCEDFACE:
+		return ifc_lone_face(shaper, item, out);
 	case IFC_FACEBASEDSURFACEMODEL:
 	case IFC_SHELLBASEDSURFACEMODEL:
 		return ifc_surface_model(shaper, item, out);

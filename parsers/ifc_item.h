@@ -97,6 +97,10 @@ enum ifc_outcome ifc_brep(struct ifc_shaper *shaper, uint32_t item,
 enum ifc_outcome ifc_surface_model(struct ifc_shaper *shaper, uint32_t item,
 	struct ifc_body *out) TCS_CHECKED;
 
+/* An IfcFace that is an item by itself, as in a topology representation. */
+enum ifc_outcome ifc_lone_face(struct ifc_shaper *shaper, uint32_t item,
+	struct ifc_body *out) TCS_CHECKED;
+
 /* ---- ifc_faceset.c ------------------------------------------------------- */
 
 /* IfcPolygonalFaceSet and IfcTriangulatedFaceSet. */

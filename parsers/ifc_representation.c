@@ -52,6 +52,9 @@ body_rank(const struct ifc_file *file, uint32_t representation)
 	struct step_value name = ifc_value(file, representation, IDENTIFIER);
 	struct step_value type = ifc_value(file, representation, TYPE);
 
+	/* The faces that a structural member is idealised as. */
+	if (ifc_is_kind(file, representation, IFC_TOPOLOGYREPRESENTATION))
+		return reads(&type, "Face") ? UNKNOWN : NO_BODY;
 	for (size_t i = 0; i < sizeof identifiers / sizeof *identifiers; i++)
 		if (reads(&name, identifiers[i].name))
 			return identifiers[i].rank;

@@ -124,7 +124,7 @@ a_circle_of_n_chords_is_an_n_gon(void)
 	double area =
 		area_of(PLACES "#100=IFCCIRCLEPROFILEDEF(.AREA.,$,#5,2.);", 10);
 
-	CHECK(near(area, 12 / 2 * 4 * sin(2 * PI / 12), 1e-12));
+	CHECK(near(area, 24 / 2 * 4 * sin(2 * PI / 24), 1e-12));
 }
 
 static void
