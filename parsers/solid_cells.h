@@ -35,7 +35,6 @@ struct solid_cell {
 	uint32_t first, count; /* in shells: facets, perhaps cut by now */
 };
 
-/* A list of edges as 2 × edge, + 1 where it is run against its direction. */
 TCS_ARRAY_TYPE(solid_corners, struct solid_corner);
 
 /* All zero is empty. */
@@ -45,7 +44,9 @@ struct solid_cells {
 	TCS_ARRAY(struct solid_edge) edges;
 	TCS_ARRAY(struct solid_facet) facets;
 	TCS_ARRAY(struct solid_cell) cells;
-	struct solid_numbers loops, shells;
+	struct solid_numbers loops; /* of facets: 2 × edge, + 1 where it is run
+	                               against its direction */
+	struct solid_numbers shells; /* of cells: facets */
 	/* Of the cut under way: */
 	TCS_ARRAY(signed char) sides; /* of each corner */
 	struct solid_numbers marks; /* the cut in which it was found */

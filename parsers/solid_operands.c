@@ -68,7 +68,7 @@ side_move(struct solid_box *box, unsigned side, double by)
 	*coordinate += side % 2 ? by : -by;
 }
 
-/* Find the sides of the box that a face lies in. */
+/* Find the sides of the box that a face lies in, unless it is flat there. */
 static void
 sides_find(const struct solid *solid, const struct solid_box *box,
 	double tolerance, bool flush[SIDES])
@@ -88,8 +88,11 @@ sides_find(const struct solid *solid, const struct solid_box *box,
 					&(struct solid_box){ring[k], ring[k]});
 		}
 		for (unsigned j = 0; j < SIDES; j++)
-			flush[j] |= fabs(side_get(&own, j ^ 1) -
-					    side_get(box, j)) <= tolerance;
+			flush[j] |=
+				fabs(side_get(box, j ^ 1) - side_get(box, j)) >
+					64 * tolerance &&
+				fabs(side_get(&own, j ^ 1) -
+					side_get(box, j)) <= tolerance;
 	}
 }
 

@@ -474,6 +474,22 @@ a_host_that_crosses_itself_is_said_to(void)
 }
 
 static void
+a_host_without_volume_is_refused_or_joined(void)
+{
+	struct solid flat = shape_box(0, 0, 0, 2, 1, 0), out = {0};
+	struct solid_task task = {.operation = SOLID_UNION, .host = &flat};
+	struct solid_report report;
+
+	cut(&task, &out, &report);
+	CHECK(report.outcome == SOLID_EMPTY);
+	task.operation = SOLID_DIFFERENCE;
+	cut(&task, &out, &report);
+	CHECK(report.outcome == SOLID_REFUSED && out.faces.count == 6);
+	solid_release(&flat);
+	solid_release(&out);
+}
+
+static void
 what_is_not_a_number_is_refused(void)
 {
 	struct solid host = shape_box(0, 0, 0, 2, 1, 1), out = {0};
@@ -512,6 +528,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(an_open_host_is_cut_but_not_capped),
 	CHECK_TEST(faces_that_meet_at_other_corners_are_closed),
 	CHECK_TEST(a_host_that_crosses_itself_is_said_to),
+	CHECK_TEST(a_host_without_volume_is_refused_or_joined),
 	CHECK_TEST(what_is_not_a_number_is_refused),
 	{0},
 };
