@@ -107,7 +107,8 @@ image_add(struct gml_reader *reader, struct tcs_fault *fault)
 	enum tcs_status status;
 
 	for (int i = 0; i < count; i++)
-		image.border[i] = (float)border[i];
+		if (border[i] >= 0 && border[i] <= 1)
+			image.border[i] = (float)border[i];
 	status = palette_text_add(reader, &texture->uri, &image.uri, fault);
 	if (!status)
 		status = palette_text_add(

@@ -174,6 +174,23 @@ xml_attribute_declared(void *user, const xmlChar *element, const xmlChar *name,
 				xml_line(parser), plain(element)));
 }
 
+/*
+ * Asked for what is not predefined, and nothing else is declared. Where a
+ * document type stands outside, libxml2 would pass over the reference.
+ */
+static xmlEntityPtr
+xml_entity(void *user, const xmlChar *name)
+{
+	struct xml_parser *parser = user;
+
+	if (!parser->status)
+		xml_stop(parser,
+			fault_set(&parser->fault, TCS_BAD_INPUT, TCS_NOWHERE,
+				"line %u: Entity '%.60s' not defined",
+				xml_line(parser), plain(name)));
+	return NULL;
+}
+
 enum tcs_status
 xml_malformed(struct xml_parser *parser, const xmlError *error)
 {
@@ -212,6 +229,7 @@ xml_callbacks(void)
 		.characters = xml_text,
 		.ignorableWhitespace = xml_text,
 		.cdataBlock = xml_text,
+		.getEntity = xml_entity,
 		.entityDecl = xml_entity_declared,
 		.attributeDecl = xml_attribute_declared,
 		.serror = xml_error,

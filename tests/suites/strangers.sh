@@ -126,6 +126,32 @@ a_document_type_is_not_fetched() {
 	accepted 64
 }
 
+# Files whose content would show, were they read.
+what_stands_elsewhere_does_not_come_in() {
+	printf '<!ENTITY a "SECRET"><!ATTLIST bldg:Building gml:id CDATA "SECRET">' \
+		>outside.dtd
+	printf '<gml:name xmlns:gml="http://www.opengis.net/gml">SECRET</gml:name>' \
+		>outside.xml
+	{
+		echo '<!DOCTYPE CityModel SYSTEM "outside.dtd">'
+		model "$(building a '<gml:name>&a;</gml:name>')"
+	} >in.gml
+	refused 64 "Entity 'a' not defined"
+	{
+		echo '<!DOCTYPE CityModel SYSTEM "outside.dtd">'
+		model '<cityObjectMember><bldg:Building/></cityObjectMember>'
+	} >in.gml
+	accepted 64
+	[[ $(tcs2json out.tcs) != *SECRET* ]]
+	rm out.tcs
+	declared '<!ENTITY % all SYSTEM "outside.dtd"> %all;' >in.gml
+	refused 64 'entity declarations are refused'
+	model "$(building a '<xi:include xmlns:xi="http://www.w3.org/2001/XInclude" href="outside.xml"/>')" \
+		>in.gml
+	accepted 64
+	[[ $(tcs2json out.tcs) != *SECRET* ]]
+}
+
 images_and_links_are_not_opened() {
 	mkfifo trap
 	model "<app:appearanceMember><app:Appearance><app:surfaceDataMember>
@@ -256,6 +282,24 @@ every_cut_is_noticed() {
 		head -c "$cut" whole.gz >in.gml
 		refused 512 ': '
 	done
+}
+
+# Behind the last '>' nothing is missing.
+every_byte_of_a_small_file_counts() {
+	local size cut
+	model "<app:appearanceMember><app:Appearance><app:surfaceDataMember>
+<app:X3DMaterial><app:target>#p</app:target></app:X3DMaterial>
+</app:surfaceDataMember></app:Appearance></app:appearanceMember>
+$(building a "<gml:name>&#65;</gml:name><bldg:lod1MultiSurface>$(
+		surfaces "$(polygon p '0 0 0 4 0 0 4 4 0 0 0 0')")</bldg:lod1MultiSurface>")" \
+		>whole.gml
+	size=$(wc -c <whole.gml)
+	for ((cut = 0; cut < size - 1; cut++)); do
+		head -c "$cut" whole.gml >in.gml
+		refused 64 ': '
+	done
+	cp whole.gml in.gml
+	accepted 64
 }
 
 # Either way it ends as it should; what comes out is sound.
@@ -403,6 +447,66 @@ numbers_that_are_none_are_skipped() {
 	ring_is_skipped '' ''
 }
 
+# implicit MATRIX POSITION: a template put there.
+implicit() {
+	printf '<ImplicitGeometry><transformationMatrix>%s</transformationMatrix><relativeGMLGeometry>%s</relativeGMLGeometry><referencePoint><gml:Point><gml:pos>%s</gml:pos></gml:Point></referencePoint></ImplicitGeometry>' \
+		"$1" "$(surfaces "$(polygon p "$square")")" "$2"
+}
+
+# Wherever a number may stand, the stream has finite ones only.
+numbers_elsewhere_are_none_or_finite() {
+	local number texture
+	for number in NaN INF -INF 1e400 -1e400 0x1p3 1e99999999999 '' zero; do
+		texture="<app:appearanceMember><app:Appearance><app:surfaceDataMember>
+<app:ParameterizedTexture><app:imageURI>a.png</app:imageURI><app:borderColor>$number 0 0 1</app:borderColor>
+<app:target uri='#q'><app:TexCoordGen><app:worldToTexture>$number 0 0 0 0 1 0 0 0 0 0 1</app:worldToTexture></app:TexCoordGen></app:target>
+</app:ParameterizedTexture></app:surfaceDataMember><app:surfaceDataMember>
+<app:X3DMaterial><app:shininess>$number</app:shininess><app:diffuseColor>$number 0 0</app:diffuseColor><app:target>#q</app:target></app:X3DMaterial>
+</app:surfaceDataMember><app:surfaceDataMember>
+<app:GeoreferencedTexture><app:imageURI>a.png</app:imageURI><app:referencePoint><gml:Point><gml:pos>0 $number</gml:pos></gml:Point></app:referencePoint>
+<app:orientation>1 0 0 $number</app:orientation><app:target>#q</app:target></app:GeoreferencedTexture>
+</app:surfaceDataMember></app:Appearance></app:appearanceMember>"
+		model "<gml:boundedBy><gml:Envelope><gml:lowerCorner>$number 0 0</gml:lowerCorner>
+<gml:upperCorner>0 $number 0</gml:upperCorner></gml:Envelope></gml:boundedBy>$texture
+$(building a "<bldg:measuredHeight uom='m'>$number</bldg:measuredHeight>
+<gen:doubleAttribute name='d'><gen:value>$number</gen:value></gen:doubleAttribute>
+<bldg:lod1MultiSurface>$(surfaces "$(polygon q "$square")")</bldg:lod1MultiSurface>
+<bldg:outerBuildingInstallation><bldg:BuildingInstallation><bldg:lod2ImplicitRepresentation>$(
+			implicit "$number 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1" "0 0 0")</bldg:lod2ImplicitRepresentation>
+</bldg:BuildingInstallation></bldg:outerBuildingInstallation>
+<bldg:outerBuildingInstallation><bldg:BuildingInstallation><bldg:lod2ImplicitRepresentation>$(
+			implicit "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1" "0 $number 0")</bldg:lod2ImplicitRepresentation>
+</bldg:BuildingInstallation></bldg:outerBuildingInstallation>")" >in.gml
+		accepted 64
+		# A reader checks that all of it is finite.
+		tcs2json out.tcs >out.json
+		rm out.tcs
+	done
+}
+
+# What a file says of its own size is not believed.
+claims_are_not_believed() {
+	around "${surface_begin/<gml:posList>/<gml:posList count=\"4000000000\" srsDimension=\"4000000000\">}" \
+		"$surface_end" <<<'0 0 0 4 0 0 4 4 0 0 0 0' >in.gml
+	accepted 64
+	is "$(tcs2json out.tcs | jq -c 'select(.record == "object").geometries[0].polygons[0].vertices | length')" 3
+}
+
+# Ten thousand themes that show the same, and links to what is not there.
+appearances_do_not_multiply() {
+	{
+		echo "<app:appearanceMember><app:Appearance><app:theme>t</app:theme><app:surfaceDataMember>
+<app:X3DMaterial gml:id='m'><app:target>#p</app:target></app:X3DMaterial></app:surfaceDataMember></app:Appearance></app:appearanceMember>"
+		numbered 10000 "<app:appearanceMember><app:Appearance><app:theme>t%d</app:theme><app:surfaceDataMember xlink:href='#m'/></app:Appearance></app:appearanceMember><!--%d-->"
+		numbered 10000 "<app:appearanceMember><app:Appearance><app:surfaceDataMember xlink:href='#x%d%d'/></app:Appearance></app:appearanceMember>"
+		building a "<bldg:lod1MultiSurface>$(surfaces "$(polygon p "$square")")</bldg:lod1MultiSurface>"
+	} | around '' '' >in.gml
+	accepted 64
+	grep -q '9936 appearances skipped: more than 64 themes' err
+	grep -q '10000 appearances skipped: no global material' err
+	is "$(tcs2json out.tcs | jq 'select(.record == "object").paints | length')" 65
+}
+
 rings_of_every_kind_end_well() {
 	ring_is_skipped '' '0 0 0 0 0 0 0 0 0 0 0 0'
 	ring_is_skipped '' '0 0 0 4 0 0 8 0 0 0 0 0'
@@ -420,14 +524,17 @@ rings_of_every_kind_end_well() {
 }
 
 for test in entities_are_refused attribute_defaults_are_refused \
-	a_document_type_is_not_fetched images_and_links_are_not_opened \
+	a_document_type_is_not_fetched what_stands_elsewhere_does_not_come_in \
+	images_and_links_are_not_opened \
 	nesting_is_bounded long_attributes_are_read \
 	markup_without_end_is_bounded long_text_is_read \
 	long_position_lists_are_read attributes_and_names_are_bounded \
 	compressed_bombs_are_bounded many_small_features_take_little_memory \
-	every_cut_is_noticed flipped_bytes_end_well wrong_encodings_are_named \
+	every_cut_is_noticed every_byte_of_a_small_file_counts flipped_bytes_end_well wrong_encodings_are_named \
 	controls_in_ids_do_no_harm links_in_circles_end links_that_multiply_end \
 	dangling_and_double_ids_are_named numbers_that_are_none_are_skipped \
+	numbers_elsewhere_are_none_or_finite claims_are_not_believed \
+	appearances_do_not_multiply \
 	rings_of_every_kind_end_well; do
 	run_test $test
 done
