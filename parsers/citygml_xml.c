@@ -186,7 +186,8 @@ xml_entity(void *user, const xmlChar *name)
 	if (!parser->status)
 		xml_stop(parser,
 			fault_set(&parser->fault, TCS_BAD_INPUT, TCS_NOWHERE,
-				"line %u: Entity '%.60s' not defined",
+				"line %u: not well-formed XML: Entity "
+				"'%.60s' not defined",
 				xml_line(parser), plain(name)));
 	return NULL;
 }
