@@ -8,6 +8,14 @@
 #include "base64.h"
 #include "program.h"
 
+static const char *
+id_of(const struct tcs_object *object)
+{
+	return object && object->features.count
+		? object_text(object, object->features.at[0].id)
+		: "";
+}
+
 /* ---- the gallery --------------------------------------------------------- */
 
 static double
@@ -53,7 +61,7 @@ gallery_take(struct gallery *gallery, struct compare_result *result,
 		at--;
 	if (at == GALLERY_SIZE)
 		return TCS_OK;
-	entry.id = strdup(object_text(before, before->features.at[0].id));
+	entry.id = strdup(id_of(before));
 	if (!entry.id)
 		return fault_memory(fault);
 	entry.pictures = result->pictures;
@@ -197,10 +205,8 @@ html_print_object(const struct compare_result *result,
 		{COMPARE_BACK_MAX, 3},
 		{COMPARE_SIMILARITY, 1},
 	};
-	const struct tcs_object *one = before ? before : after;
-
 	fputs("<tr><td>", to);
-	print_id(object_text(one, one->features.at[0].id), to);
+	print_id(id_of(before ? before : after), to);
 	if (!before || !after)
 		fputs(before ? " (lost)" : " (added)", to);
 	print_cell(100 * metrics_rate(&result->metrics), 1, to);

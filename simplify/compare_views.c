@@ -93,6 +93,8 @@ struct look {
 	struct seen seen[2];
 	double either, both, same, alike; /* pixels */
 	double boxes[2], opened;
+	uint32_t last[2]; /* the triangles of the pixel before, */
+	double last_alike; /* and how alike they are */
 };
 
 static void
@@ -119,8 +121,14 @@ look_at_pixel(
 	look->both++;
 	look->same += look->before->twins.at[before->features.at[a]] ==
 		after->features.at[b];
-	look->alike += 1 -
-		fabs(view_grey(before, a, view) - view_grey(after, b, view));
+	if (a != look->last[0] || b != look->last[1]) {
+		look->last[0] = a;
+		look->last[1] = b;
+		look->last_alike = 1 -
+			fabs(view_grey(before, a, view) -
+				view_grey(after, b, view));
+	}
+	look->alike += look->last_alike;
 }
 
 /* Whether each box behind is seen in a picture of size² pixels. */
@@ -161,6 +169,7 @@ look_at_all(struct look *look, const struct compare_pictures *pictures)
 		const struct raster *b = &pictures->rasters[1][i];
 		struct view view = compare_view(&look->before->set, i);
 
+		look->last[0] = look->last[1] = RASTER_NOTHING;
 		for (size_t k = 0; k < (size_t)a->size * a->size; k++)
 			look_at_pixel(
 				look, &view, a->triangles[k], b->triangles[k]);
