@@ -1,6 +1,33 @@
 /* IFC to a component stream: the option table and the loop. */
+#include <ctype.h>
+#include <string.h>
+
 #include "ifc_convert.h"
 #include "output.h"
+
+/* "IfcWall,IfcSlab", in capitals or not. */
+static const char *
+parse_types(void *target, const char *argument)
+{
+	struct ifc_keep *keep = target;
+
+	keep->type_count = 0;
+	for (;;) {
+		char name[64] = "";
+		size_t length = strcspn(argument, ",");
+
+		for (size_t i = 0; i < length && i + 1 < sizeof name; i++)
+			name[i] = (char)toupper((unsigned char)argument[i]);
+		if (ifc_find(name) == IFC_NONE)
+			return "not a list of IFC's entities";
+		if (keep->type_count == IFC_MOST_TYPES)
+			return "too many entities";
+		keep->types[keep->type_count++] = ifc_find(name);
+		if (!argument[length])
+			return NULL;
+		argument += length + 1;
+	}
+}
 
 static enum tcs_status
 run(const struct command *command, const struct ifc_options *options,
@@ -37,7 +64,15 @@ main(int argc, char **argv)
 		{.type = OPTION_FLAG,
 			.name = "no-spaces",
 			.help = "Leave out rooms and other spaces.",
-			.target = &options.no_spaces},
+			.target = &options.keep.no_spaces},
+		{.type = OPTION_PARSE,
+			.name = "types",
+			.argument = "LIST",
+			.help = "Of the products, keep these entities and "
+				"their subtypes only, as in "
+				"IfcWall,IfcSlab.",
+			.target = &options.keep,
+			.parse = parse_types},
 		{.type = OPTION_FLAG,
 			.name = "bake",
 			.help = "Give every product geometry of its own, "

@@ -260,8 +260,6 @@ crew_begin(struct convert *convert, struct tcs_fault *fault)
 static enum tcs_status
 run(struct convert *convert, struct input *input, struct tcs_fault *fault)
 {
-	unsigned keep =
-		convert->options->no_spaces ? IFC_KEEP_NO_SPACES : IFC_KEEP_ALL;
 	struct crew_plan plan = {.context = convert,
 		.slot_size = sizeof *convert->slots,
 		.read = convert_read,
@@ -273,7 +271,8 @@ run(struct convert *convert, struct input *input, struct tcs_fault *fault)
 		&convert->text, input, convert->options->max_bytes, fault);
 	if (!status)
 		status = ifc_model_read(&convert->model, convert->text.at,
-			convert->text.count, keep, convert->report, fault);
+			convert->text.count, &convert->options->keep,
+			convert->report, fault);
 	if (status)
 		return status;
 	ifc_georeference_read(&convert->model.file, &convert->model.units,

@@ -7,6 +7,7 @@
 
 #include <stdio.h>
 
+#include "ifc_objects.h"
 #include "input.h"
 #include "program.h"
 #include "report.h"
@@ -15,7 +16,7 @@ struct ifc_options {
 	double deflection; /* metres */
 	uint64_t max_bytes; /* of the file, unpacked; 0: no limit */
 	bool local; /* engineering coordinates, whatever the georeference */
-	bool no_spaces;
+	struct ifc_keep keep;
 	bool bake; /* no prototypes */
 	bool compress; /* the records */
 };

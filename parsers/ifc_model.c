@@ -31,7 +31,8 @@ precision_read(const struct ifc_file *file, double length)
 
 enum tcs_status
 ifc_model_read(struct ifc_model *model, const char *text, size_t length,
-	unsigned keep, struct report *report, struct tcs_fault *fault)
+	const struct ifc_keep *keep, struct report *report,
+	struct tcs_fault *fault)
 {
 	enum tcs_status status;
 

@@ -22,12 +22,29 @@ static const enum ifc_entity never[] = {IFC_FEATUREELEMENTSUBTRACTION, IFC_PORT,
 static const enum ifc_entity if_shown[] = {
 	IFC_POSITIONINGELEMENT, IFC_STRUCTURALITEM};
 
+/* Spaces, storeys and so on are kept whatever is listed. */
 static bool
-is_member(const struct ifc_file *file, uint32_t instance, unsigned keep)
+is_listed(const struct ifc_file *file, uint32_t instance,
+	const struct ifc_keep *keep)
+{
+	if (!keep->type_count ||
+		ifc_is_kind(file, instance, IFC_SPATIALSTRUCTUREELEMENT))
+		return true;
+	for (size_t i = 0; i < keep->type_count; i++)
+		if (ifc_is_kind(file, instance, keep->types[i]))
+			return true;
+	return false;
+}
+
+static bool
+is_member(const struct ifc_file *file, uint32_t instance,
+	const struct ifc_keep *keep)
 {
 	if (!ifc_is_kind(file, instance, IFC_PRODUCT))
 		return false;
-	if (keep & IFC_KEEP_NO_SPACES && ifc_is_kind(file, instance, IFC_SPACE))
+	if (keep->no_spaces && ifc_is_kind(file, instance, IFC_SPACE))
+		return false;
+	if (!is_listed(file, instance, keep))
 		return false;
 	for (size_t i = 0; i < sizeof never / sizeof *never; i++)
 		if (ifc_is_kind(file, instance, never[i]))
@@ -84,7 +101,7 @@ forest_end(struct forest *forest)
 }
 
 static void
-forest_link(struct forest *forest, unsigned keep)
+forest_link(struct forest *forest, const struct ifc_keep *keep)
 {
 	uint32_t count = (uint32_t)forest->tree->count;
 
@@ -145,7 +162,8 @@ object_add(struct forest *forest, uint32_t root, struct ifc_objects *out,
 
 enum tcs_status
 ifc_objects_list(const struct ifc_file *file, const struct ifc_tree *tree,
-	unsigned keep, struct ifc_objects *out, struct tcs_fault *fault)
+	const struct ifc_keep *keep, struct ifc_objects *out,
+	struct tcs_fault *fault)
 {
 	struct forest forest = {.file = file, .tree = tree};
 	enum tcs_status status = forest_begin(&forest, fault);

@@ -28,15 +28,21 @@ struct ifc_objects {
 	TCS_ARRAY(struct ifc_member) members;
 };
 
-enum ifc_keep {
-	IFC_KEEP_ALL,
-	IFC_KEEP_NO_SPACES = 1, /* leave out IfcSpace */
+enum { IFC_MOST_TYPES = 64 };
+
+/* Which products are members; all zero: all that can be. */
+struct ifc_keep {
+	bool no_spaces; /* leave out IfcSpace */
+	/* Keep of the products that are no spatial elements these and their
+	   subtypes only; none listed: all. */
+	enum ifc_entity types[IFC_MOST_TYPES];
+	size_t type_count;
 };
 
 /* Fails with TCS_NO_MEMORY. */
 enum tcs_status ifc_objects_list(const struct ifc_file *file,
-	const struct ifc_tree *tree, unsigned keep, struct ifc_objects *out,
-	struct tcs_fault *fault) TCS_CHECKED;
+	const struct ifc_tree *tree, const struct ifc_keep *keep,
+	struct ifc_objects *out, struct tcs_fault *fault) TCS_CHECKED;
 
 void ifc_objects_release(struct ifc_objects *objects);
 

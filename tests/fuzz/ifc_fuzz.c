@@ -102,8 +102,8 @@ objects_check(const char *bytes, size_t size)
 	struct ifc_model model;
 	struct tcs_fault fault;
 
-	if (!ifc_model_read(
-		    &model, bytes, size, IFC_KEEP_ALL, &report, &fault)) {
+	if (!ifc_model_read(&model, bytes, size, &(struct ifc_keep){0}, &report,
+		    &fault)) {
 		ifc_georeference_read(&model.file, &model.units, false, &place);
 		if (ifc_worker_begin(
 			    &worker, &model, &place.world, DEFLECTION, &fault))
