@@ -18,6 +18,7 @@ struct pair_bytes {
 
 struct solid_pair {
 	struct solid a, b;
+	struct solid_half_space half;
 	bool sound; /* both are closed and do not cross themselves */
 };
 
@@ -160,6 +161,25 @@ pair_solid(struct pair_bytes *bytes, struct solid *solid)
 	}
 }
 
+/* A plane through the grid. */
+static inline struct solid_half_space
+pair_half_space(struct pair_bytes *bytes, const struct shape_place *place)
+{
+	struct shape_place turn = *place;
+	double at[3], up[3];
+
+	for (int i = 0; i < 3; i++) {
+		at[i] = pair_coordinate(bytes);
+		up[i] = (double)pair_byte(bytes, 5) - 2;
+	}
+	if (up[0] == 0 && up[1] == 0 && up[2] == 0)
+		up[2] = 1;
+	turn.shift = (struct tcs_point){0, 0, 0};
+	return (struct solid_half_space){
+		shape_placed(place, at[0], at[1], at[2]),
+		shape_placed(&turn, up[0], up[1], up[2]), 5};
+}
+
 static inline struct solid_pair
 pair_read(const uint8_t *at, size_t size)
 {
@@ -175,6 +195,7 @@ pair_read(const uint8_t *at, size_t size)
 
 	pair.sound &= pair_solid(&bytes, &pair.a);
 	pair.sound &= pair_solid(&bytes, &pair.b);
+	pair.half = pair_half_space(&bytes, &place);
 	shape_move(&pair.a, &place);
 	shape_move(&pair.b, &place);
 	return pair;
@@ -211,24 +232,19 @@ pair_face_area(const struct solid *solid, size_t number)
 	return sqrt(point_dot(sum, sum)) / 2;
 }
 
-/* One boolean. Adds to *volume; returns what is wrong with it, or NULL. */
+/* One task. Adds to *volume; returns what is wrong with it, or NULL. */
 static inline const char *
-pair_cut(struct solid_cutter *cutter, enum solid_operation operation,
-	const struct solid *host, const struct solid *tool, bool sound,
+pair_do(struct solid_cutter *cutter, const struct solid_task *task, bool sound,
 	double *volume)
 {
-	struct solid_task task = {.operation = operation,
-		.host = host,
-		.tools = &tool,
-		.tool_count = 1};
-	enum solid_tool_fault tool_fault;
+	enum solid_tool_fault tool_fault = SOLID_TOOL_SOUND;
 	struct solid_report report;
 	struct solid_measure measure;
 	struct solid out = {0};
 	const char *wrong = NULL;
 
 	shape_must(solid_cut(
-		cutter, &task, &out, &report, &tool_fault, &shape_fault));
+		cutter, task, &out, &report, &tool_fault, &shape_fault));
 	measure = shape_measure(&out);
 	*volume += measure.volume;
 	if (report.outcome <= SOLID_EMPTY && !measure.closed)
@@ -240,12 +256,48 @@ pair_cut(struct solid_cutter *cutter, enum solid_operation operation,
 	if (sound && report.crossing)
 		wrong = "a host crosses itself";
 	for (size_t i = 0; sound && i < out.faces.count; i++) {
-		if (out.faces.at[i].face == SOLID_NO_FACE)
+		if (out.faces.at[i].face == SOLID_NO_FACE &&
+			!task->half_space_count)
 			wrong = "a face comes from none";
 		if (pair_face_area(&out, i) < 1e-13)
 			wrong = "a face has no area";
 	}
 	solid_release(&out);
+	return wrong;
+}
+
+static inline const char *
+pair_cut(struct solid_cutter *cutter, enum solid_operation operation,
+	const struct solid *host, const struct solid *tool, bool sound,
+	double *volume)
+{
+	struct solid_task task = {.operation = operation,
+		.host = host,
+		.tools = &tool,
+		.tool_count = 1};
+
+	return pair_do(cutter, &task, sound, volume);
+}
+
+/* What a plane parts is all there still. */
+static inline const char *
+pair_part(struct solid_cutter *cutter, const struct solid_pair *pair,
+	const struct solid_measure *whole)
+{
+	struct solid_half_space half = pair->half;
+	struct solid_task task = {
+		.host = &pair->a, .half_spaces = &half, .half_space_count = 1};
+	double volume = 0;
+	const char *wrong = pair_do(cutter, &task, pair->sound, &volume);
+
+	if (wrong)
+		return wrong;
+	half.normal = point_minus((struct tcs_point){0, 0, 0}, half.normal);
+	wrong = pair_do(cutter, &task, pair->sound, &volume);
+	if (!wrong && pair->sound &&
+		fabs(volume - whole->volume) >
+			4 * SOLID_TOLERANCE * whole->area)
+		wrong = "what a plane parts is not all there";
 	return wrong;
 }
 
@@ -277,7 +329,7 @@ pair_check(struct solid_cutter *cutter, const struct solid_pair *pair)
 		return "something is left of a without a";
 	if (fabs(same - in_a.volume) > slack)
 		return "a within a is not a";
-	return NULL;
+	return pair_part(cutter, pair, &in_a);
 }
 
 #endif
