@@ -67,3 +67,14 @@ array_clear_bytes(void *array)
 	view.count = 0;
 	memcpy(array, &view, sizeof view);
 }
+
+void
+array_trim_bytes(void *array, size_t size)
+{
+	enum { KEPT = 1 << 20 };
+
+	if (array_view(array).room > KEPT / size)
+		array_release_bytes(array);
+	else
+		array_clear_bytes(array);
+}

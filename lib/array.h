@@ -58,8 +58,15 @@ struct tcs_array {
 /* Forget the elements, keep the room. A lent array becomes empty. */
 #define array_clear(array) array_clear_bytes((array))
 
+/*
+ * Forget the elements, and give back the memory where it is more than 1 MB: for
+ * scratch that one large item has grown.
+ */
+#define array_trim(array) array_trim_bytes((array), sizeof *(array)->at)
+
 int array_grow_bytes(void *array, size_t size, size_t more) TCS_CHECKED;
 void array_release_bytes(void *array);
 void array_clear_bytes(void *array);
+void array_trim_bytes(void *array, size_t size);
 
 #endif

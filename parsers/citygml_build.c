@@ -54,123 +54,7 @@ struct build {
 	uint64_t polygons, shared, holes, voids;
 };
 
-/* ---- attributes in the order of their features ------------------------------- */
-
-/* A stable counting sort; sets stay before their members. What belongs to no
- * feature is dropped. */
-static enum tcs_status
-attributes_sort(struct builder *builder, struct tcs_object *tree,
-	struct tcs_fault *fault)
-{
-	size_t features = tree->features.count;
-	size_t count = tree->attributes.count;
-	struct tcs_attribute *from = tree->attributes.at;
-	uint32_t *starts, *places;
-	bool sorted = !count || from[count - 1].feature != TCS_NONE;
-
-	for (size_t i = 1; i < count; i++)
-		sorted &= from[i - 1].feature <= from[i].feature;
-	if (sorted)
-		return TCS_OK;
-	array_clear(&builder->order);
-	array_clear(&builder->attributes);
-	if (array_grow(&builder->order, features + 1 + count) ||
-		array_grow(&builder->attributes, count))
-		return fault_memory(fault);
-	starts = builder->order.at;
-	places = starts + features + 1;
-	memset(starts, 0, (features + 1) * sizeof *starts);
-	for (size_t i = 0; i < count; i++)
-		if (from[i].feature != TCS_NONE)
-			starts[from[i].feature + 1]++;
-	for (size_t i = 0; i < features; i++)
-		starts[i + 1] += starts[i];
-	tree->attributes.count = starts[features];
-	for (size_t i = 0; i < count; i++)
-		if (from[i].feature != TCS_NONE)
-			places[i] = starts[from[i].feature]++;
-	for (size_t i = 0; i < count; i++) {
-		struct tcs_attribute *to;
-
-		if (from[i].feature == TCS_NONE)
-			continue;
-		to = &builder->attributes.at[places[i]];
-		*to = from[i];
-		if (to->parent != TCS_NONE)
-			to->parent = places[to->parent];
-	}
-	memcpy(from, builder->attributes.at,
-		tree->attributes.count * sizeof *from);
-	return TCS_OK;
-}
-
 /* ---- one polygon ------------------------------------------------------------------- */
-
-#define METRES_PER_DEGREE 111320.0 /* along a meridian, roughly */
-
-/* Metres per unit in x where y is this latitude. */
-static double
-degree_scale(double latitude)
-{
-	double scale = cos(latitude * (3.14159265358979323846 / 180));
-
-	return METRES_PER_DEGREE * (scale > 1e-6 ? scale : 1e-6);
-}
-
-/* Triangles do not change under the scaling; which way a plane leans does. */
-static enum tcs_status
-points_scale(struct builder *builder, double scale, struct tcs_fault *fault)
-{
-	size_t count = builder->points.count;
-
-	array_clear(&builder->scaled);
-	if (array_grow(&builder->scaled, count))
-		return fault_memory(fault);
-	for (size_t i = 0; i < count; i++)
-		builder->scaled.at[i] = (struct tcs_point){
-			builder->points.at[i].x * scale,
-			builder->points.at[i].y * METRES_PER_DEGREE,
-			builder->points.at[i].z,
-		};
-	return TCS_OK;
-}
-
-static enum tcs_status
-polygon_triangulate(struct builder *builder, const struct raw_polygon *polygon,
-	struct triangulation *out, struct tcs_fault *fault)
-{
-	const struct tcs_point *points = builder->points.at;
-	double scale = 0;
-	enum tcs_status status = TCS_OK;
-
-	if (polygon->shape != RAW_AREA) {
-		*out = (struct triangulation){0};
-		return TCS_OK;
-	}
-	if (polygon->degrees) {
-		scale = degree_scale(points[0].y);
-		status = points_scale(builder, scale, fault);
-		points = builder->scaled.at;
-	}
-	if (!status)
-		status = triangulate(builder->triangulator, points,
-			builder->ring_sizes.at, builder->ring_sizes.count, out,
-			fault);
-	if (status || !out->extra_count)
-		return status;
-	if (array_grow(&builder->points, out->extra_count))
-		return fault_memory(fault);
-	for (size_t i = 0; i < out->extra_count; i++) {
-		struct tcs_point point = out->extra[i];
-
-		if (polygon->degrees) {
-			point.x /= scale;
-			point.y /= METRES_PER_DEGREE;
-		}
-		builder->points.at[builder->points.count++] = point;
-	}
-	return TCS_OK;
-}
 
 static enum tcs_status
 rings_write(struct build *build, const struct raw_use *use, uint32_t vertex,
@@ -442,6 +326,8 @@ uses_write(struct build *build, uint32_t index, enum raw_shape shape,
 				build, use, geometry->first_shell, fault);
 		if (!status)
 			status = use_write(build, use, fault);
+		array_trim(&build->builder->points);
+		array_trim(&build->builder->scaled);
 		if (status)
 			return status;
 		if (is_solid_kind(geometry->kind))

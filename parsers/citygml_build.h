@@ -80,6 +80,26 @@ enum tcs_status rings_read(struct builder *builder,
 	const char **problem, struct report *report,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* ---- citygml_triangles.c ------------------------------------------------ */
+
+/*
+ * Triangles of the polygon whose points and rings the builder holds; vertices
+ * that a repair adds join the points. Nothing for lines and points. The result
+ * is valid until the next one.
+ */
+enum tcs_status polygon_triangulate(struct builder *builder,
+	const struct raw_polygon *polygon, struct triangulation *out,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* ---- citygml_attribute_order.c ------------------------------------------ */
+
+/*
+ * Sort the attributes by their features, stably: sets stay before their
+ * members. What belongs to no feature is dropped.
+ */
+enum tcs_status attributes_sort(struct builder *builder,
+	struct tcs_object *tree, struct tcs_fault *fault) TCS_CHECKED;
+
 /* ---- citygml_paint_links.c ---------------------------------------------- */
 
 /*

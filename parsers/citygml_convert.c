@@ -264,6 +264,7 @@ slot_work(struct convert *convert, struct slot *slot, struct builder *builder,
 		status = keep_missing(convert, slot, &builder->links, fault);
 	if (status || slot->missing.count)
 		return status;
+	array_trim(&slot->raw->positions);
 	return object_encode(
 		&slot->raw->tree, TCS_OBJECT, &slot->record, fault);
 }

@@ -135,6 +135,7 @@ ring_read(struct builder *builder, const struct raw_object *home,
 	if (*problem)
 		return TCS_OK;
 	status = points_append(builder, dimension, polygon->swap, fault);
+	array_trim(&builder->numbers);
 	if (!status && polygon->shape == RAW_AREA)
 		status = ring_close(
 			builder, first, id, polygon->line, report, fault);

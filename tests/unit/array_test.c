@@ -54,6 +54,20 @@ room_at_least_doubles_and_clearing_keeps_it(void)
 }
 
 static void
+trimming_gives_back_what_is_large(void)
+{
+	TCS_ARRAY(double) array = {0};
+
+	CHECK(!array_grow(&array, 1000));
+	array.count = 1000;
+	array_trim(&array);
+	CHECK(!array.count && array.room == 1000);
+	CHECK(!array_grow(&array, 200000));
+	array_trim(&array);
+	CHECK(!array.at && !array.count && !array.room);
+}
+
+static void
 a_size_that_overflows_is_refused(void)
 {
 	TCS_ARRAY(double) array = {0};
@@ -72,6 +86,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(a_lent_array_is_copied_when_it_grows),
 	CHECK_TEST(a_lent_array_is_never_freed),
 	CHECK_TEST(room_at_least_doubles_and_clearing_keeps_it),
+	CHECK_TEST(trimming_gives_back_what_is_large),
 	CHECK_TEST(a_size_that_overflows_is_refused),
 	{0},
 };
