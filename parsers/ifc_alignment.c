@@ -237,12 +237,13 @@ cant_read(struct ifc_shaper *shaper, uint32_t curve, struct ifc_alignment *out)
 	while (!outcome && list.kind == STEP_LIST &&
 		step_next(&list.list, &item) > STEP_END) {
 		uint32_t segment = step_target(file->step, &item);
-		struct ifc_mark *last = out->at + out->count - 1;
+		struct ifc_mark *last =
+			out->count ? out->at + out->count - 1 : NULL;
 
 		if (!ifc_axes(file,
 			    ifc_target(file, segment, SEGMENT_PLACEMENT), &at))
 			return ifc_refuse(shaper, segment, "a segment is bad");
-		if (out->count && at.at[3] > last->along)
+		if (last && at.at[3] > last->along)
 			last->slope = (at.at[7] - last->at.z) /
 				(at.at[3] - last->along);
 		outcome = mark_add(out,
