@@ -87,6 +87,7 @@ ifc_linear_axes(
 	const struct ifc_file *file = shaper->file;
 	enum ifc_outcome outcome;
 	struct tcs_point x, z;
+	bool turned;
 
 	if (ifc_entity_of(file, placement) != IFC_AXIS2PLACEMENTLINEAR)
 		return ifc_refuse(
@@ -97,9 +98,10 @@ ifc_linear_axes(
 		return outcome;
 	x = (struct tcs_point){out->at[0], out->at[4], out->at[8]};
 	z = (struct tcs_point){out->at[2], out->at[6], out->at[10]};
-	if (!ifc_triple(file, ifc_target(file, placement, AXIS), &z) &
-		!ifc_triple(
-			file, ifc_target(file, placement, REF_DIRECTION), &x))
+	turned = ifc_triple(file, ifc_target(file, placement, AXIS), &z);
+	if (ifc_triple(file, ifc_target(file, placement, REF_DIRECTION), &x))
+		turned = true;
+	if (!turned)
 		return IFC_SHAPED;
 	return axes_turn(z, x, out) ? IFC_SHAPED
 				    : ifc_refuse(shaper, placement,

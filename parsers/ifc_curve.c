@@ -80,11 +80,12 @@ static enum ifc_outcome
 points_cut(struct ifc_shaper *shaper, struct ifc_points *out, size_t first,
 	double from, double to)
 {
-	struct tcs_point *points = out->at + first, begin, end;
+	struct tcs_point *points, begin, end;
 	size_t last, low, high;
 
 	if (out->count < first + 2)
 		return ifc_refuse(shaper, STEP_NONE, "a curve has no length");
+	points = out->at + first;
 	last = out->count - first - 1;
 	from = fmin(fmax(from, 0), (double)last);
 	to = fmin(fmax(to, from), (double)last);
