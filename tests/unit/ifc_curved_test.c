@@ -58,8 +58,12 @@ static enum ifc_outcome
 brep_faces(struct ifc_shaper *shaper, uint32_t item, struct ifc_faces *out)
 {
 	struct ifc_body body = {.faces = {.points = {.count = 0}}};
-	enum ifc_outcome outcome = ifc_brep(shaper, item, &body);
+	enum ifc_outcome outcome;
+	struct tcs_fault fault;
 
+	CHECK(!ifc_scratch_new(&shaper->scratch, &fault));
+	outcome = ifc_brep(shaper, item, &body);
+	ifc_scratch_free(shaper->scratch);
 	*out = body.faces;
 	array_release(&body.parts);
 	return outcome;
