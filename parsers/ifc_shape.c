@@ -225,12 +225,13 @@ enum ifc_outcome
 ifc_faces_append_some(struct ifc_shaper *shaper, struct ifc_faces *out,
 	const struct ifc_faces *from, size_t first, size_t end)
 {
-	const struct ifc_face *begin = from->faces.at + first, *last;
+	const struct ifc_face *begin, *last;
 	size_t points, rings;
 	enum ifc_outcome outcome;
 
 	if (first >= end)
 		return IFC_SHAPED;
+	begin = from->faces.at + first;
 	last = from->faces.at + end - 1;
 	points = last->first_point + ifc_face_points(from, last) -
 		begin->first_point;
