@@ -173,23 +173,35 @@ boundary_end(struct block *block, const char *class)
 	gml_boundary_close(gml, "bldg", class);
 }
 
+/* Between two corners, exactly the one or the other at the ends, so that what
+   is rounded to millimetres is the same for all that meet there. */
+static struct local
+between(struct local from, struct local to, unsigned part, unsigned grid)
+{
+	double b = (double)part / grid, a = 1 - b;
+
+	return (struct local){a * from.u + b * to.u, a * from.v + b * to.v,
+		a * from.z + b * to.z};
+}
+
 /* One wall: a grid of quads. */
 static void
 hull_wall(struct block *block, struct local from, struct local to, double top,
 	unsigned grid)
 {
-	double u = to.u - from.u, v = to.v - from.v, height = top - from.z;
+	const struct local low = {0, 0, from.z}, high = {0, 0, top};
 
 	part_begin(block);
 	for (unsigned i = 0; i < grid * grid; i++) {
-		double a = (double)(i % grid) / grid, b = a + 1.0 / grid;
-		double low = from.z + height * (i / grid) / grid;
-		double high = from.z + height * (i / grid + 1) / grid;
+		struct local left = between(from, to, i % grid, grid);
+		struct local right = between(from, to, i % grid + 1, grid);
+		double foot = between(low, high, i / grid, grid).z;
+		double head = between(low, high, i / grid + 1, grid).z;
 		const struct local quad[] = {
-			{from.u + a * u, from.v + a * v, low},
-			{from.u + b * u, from.v + b * v, low},
-			{from.u + b * u, from.v + b * v, high},
-			{from.u + a * u, from.v + a * v, high},
+			{left.u, left.v, foot},
+			{right.u, right.v, foot},
+			{right.u, right.v, head},
+			{left.u, left.v, head},
 		};
 
 		shape_polygon(block->shape, FACE_WALL, quad, 4);
@@ -206,12 +218,10 @@ hull_lid(struct block *block, const struct local corners[4], double z,
 	shape_face(block->shape, up ? FACE_ROOF : FACE_GROUND);
 	for (unsigned i = 0; i < 4 * grid; i++) {
 		unsigned at = up ? i : 4 * grid - 1 - i;
-		struct local a = corners[at / grid];
-		struct local b = corners[(at / grid + 1) % 4];
-		double part = (double)(at % grid) / grid;
+		struct local spot = between(corners[at / grid],
+			corners[(at / grid + 1) % 4], at % grid, grid);
 
-		shape_point(block->shape, a.u + part * (b.u - a.u),
-			a.v + part * (b.v - a.v), z);
+		shape_point(block->shape, spot.u, spot.v, z);
 	}
 	boundary_end(block, up ? "RoofSurface" : "GroundSurface");
 }
