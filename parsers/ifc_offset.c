@@ -33,22 +33,17 @@ side_of(struct tcs_point a, struct tcs_point b, struct tcs_point up,
 
 /* The point beside a corner, between the sides before and behind it. */
 static struct tcs_point
-mitre(struct tcs_point at, const struct tcs_point *before,
-	const struct tcs_point *behind, double distance)
+mitre(struct tcs_point at, struct tcs_point before, struct tcs_point behind,
+	double distance)
 {
-	struct tcs_point side = before ? *before : *behind;
-	double part = distance;
+	struct tcs_point side = point_plus(before, behind);
 
-	if (before && behind) {
-		side = point_plus(*before, *behind);
-		if (normalise(&side))
-			part /= fmax(
-				point_dot(side, *behind), 1 / LONGEST_MITRE);
-		else
-			side = *before;
-	}
-	return (struct tcs_point){at.x + part * side.x, at.y + part * side.y,
-		at.z + part * side.z};
+	if (normalise(&side))
+		distance /= fmax(point_dot(side, behind), 1 / LONGEST_MITRE);
+	else
+		side = before;
+	return (struct tcs_point){at.x + distance * side.x,
+		at.y + distance * side.y, at.z + distance * side.z};
 }
 
 /* The points without those that are the same as the one before. */
@@ -83,7 +78,7 @@ ifc_offset_points(struct ifc_shaper *shaper, const struct tcs_point *points,
 	for (size_t i = 0; i < all.count && all.count > 1 && !outcome; i++) {
 		size_t next = (i + 1) % all.count;
 		size_t last = (i + all.count - 1) % all.count;
-		struct tcs_point before, behind;
+		struct tcs_point before = up, behind = up;
 		bool begins = !closed && i == 0, ends = !closed && next == 0;
 
 		if ((!begins &&
