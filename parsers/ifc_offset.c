@@ -89,8 +89,8 @@ ifc_offset_points(struct ifc_shaper *shaper, const struct tcs_point *points,
 				"a curve runs along what it is offset from");
 		else
 			out->at[out->count++] =
-				mitre(all.at[i], begins ? NULL : &before,
-					ends ? NULL : &behind, distance);
+				mitre(all.at[i], begins ? behind : before,
+					ends ? before : behind, distance);
 	}
 	array_release(&all);
 	return outcome;
