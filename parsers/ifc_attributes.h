@@ -42,10 +42,6 @@ enum tcs_status ifc_attribute_value(struct ifc_saying *saying, uint32_t parent,
 	const char *name, const struct step_value *value, uint32_t unit,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/* Append a set without members; its number in *set. */
-enum tcs_status ifc_attribute_set(struct ifc_saying *saying, uint32_t parent,
-	tcs_text name, uint32_t *set, struct tcs_fault *fault) TCS_CHECKED;
-
 /*
  * Append a property set or element quantity. Where the feature has a set of
  * the same name, its members are added that are not there yet.

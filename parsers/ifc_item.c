@@ -71,8 +71,9 @@ ifc_part_begin(struct ifc_body *body, enum ifc_part_kind kind, uint32_t item)
 	return IFC_SHAPED;
 }
 
-void
-ifc_item_paint(const struct ifc_shaper *shaper, uint32_t item,
+/* Faces without a paint get the style of the item, if it has one. */
+static void
+item_paint(const struct ifc_shaper *shaper, uint32_t item,
 	struct ifc_faces *faces, size_t first_face)
 {
 	uint32_t paint = ifc_style_paint(shaper->styles, item);
@@ -193,6 +194,6 @@ ifc_item_body(struct ifc_shaper *shaper, uint32_t item, struct ifc_body *out)
 	outcome = body_inside(shaper, item, out);
 	ifc_leave(shaper);
 	if (!outcome)
-		ifc_item_paint(shaper, item, &out->faces, first);
+		item_paint(shaper, item, &out->faces, first);
 	return outcome;
 }

@@ -70,13 +70,6 @@ enum ifc_outcome ifc_part_begin(struct ifc_body *body, enum ifc_part_kind kind,
 enum ifc_outcome ifc_item_body(struct ifc_shaper *shaper, uint32_t item,
 	struct ifc_body *out) TCS_CHECKED;
 
-/*
- * Paint the faces from `first_face` on that have no paint with the style of an
- * item, if it has one.
- */
-void ifc_item_paint(const struct ifc_shaper *shaper, uint32_t item,
-	struct ifc_faces *faces, size_t first_face);
-
 /* ---- ifc_sweep.c --------------------------------------------------------- */
 
 /* IfcExtrudedAreaSolid. */

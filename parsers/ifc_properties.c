@@ -154,8 +154,9 @@ ifc_attribute_value(struct ifc_saying *saying, uint32_t parent,
 	return status ? status : attribute_push(saying, attribute, fault);
 }
 
-enum tcs_status
-ifc_attribute_set(struct ifc_saying *saying, uint32_t parent, tcs_text name,
+/* Append a set without members; its number in *set. */
+static enum tcs_status
+attribute_set(struct ifc_saying *saying, uint32_t parent, tcs_text name,
 	uint32_t *set, struct tcs_fault *fault)
 {
 	*set = (uint32_t)saying->out->attributes.count;
@@ -239,7 +240,7 @@ bounds_write(struct ifc_saying *saying, uint32_t parent, uint32_t property,
 	const struct ifc_file *file = &saying->model->file;
 	uint32_t set, unit = ifc_target(file, property, 4);
 	enum tcs_status status =
-		ifc_attribute_set(saying, parent, name, &set, fault);
+		attribute_set(saying, parent, name, &set, fault);
 
 	for (int i = 0; i < 2 && !status; i++) {
 		struct step_value value = ifc_value(file, property, 2 + i);
@@ -289,7 +290,7 @@ property_write(struct ifc_saying *saying, uint32_t parent, uint32_t property,
 	case IFC_PHYSICALCOMPLEXQUANTITY:
 		if (depth == MOST_DEPTH)
 			return TCS_OK;
-		status = ifc_attribute_set(saying, parent, name, &set, fault);
+		status = attribute_set(saying, parent, name, &set, fault);
 		if (status)
 			return status;
 		return properties_list(saying, set,
@@ -347,7 +348,7 @@ ifc_properties_write(
 		return status;
 	at = attribute_find(saying, TCS_NONE, name);
 	if (at == TCS_NONE || saying->out->attributes.at[at].type != TCS_SET)
-		status = ifc_attribute_set(saying, TCS_NONE, name, &at, fault);
+		status = attribute_set(saying, TCS_NONE, name, &at, fault);
 	if (status)
 		return status;
 	return properties_list(saying, at,

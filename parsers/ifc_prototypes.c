@@ -72,7 +72,7 @@ uses_add(const struct ifc_model *model, uint32_t node,
 		if (array_grow(out, 1))
 			return fault_memory(fault);
 		out->at[out->count++] = (struct ifc_prototype){
-			ifc_target(file, item, MAPPING_SOURCE), paint, item, 1,
+			ifc_target(file, item, MAPPING_SOURCE), paint, item,
 			TCS_NONE};
 	}
 	return TCS_OK;
@@ -93,8 +93,7 @@ uses_count(struct ifc_prototypes *uses)
 			uses->at[end].map == one.map &&
 			uses->at[end].paint == one.paint;)
 			end++;
-		one.uses = (uint32_t)(end - i);
-		if (one.uses > 1)
+		if (end - i > 1)
 			uses->at[kept++] = one;
 	}
 	uses->count = kept;

@@ -16,7 +16,6 @@ struct ifc_prototype {
 	uint32_t map; /* the IfcRepresentationMap */
 	uint32_t paint; /* of faces that no style paints; 0: none */
 	uint32_t item; /* a mapped item that uses it */
-	uint32_t uses;
 	uint32_t number; /* in the stream; TCS_NONE: not there */
 };
 

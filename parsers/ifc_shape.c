@@ -71,8 +71,9 @@ minus(struct tcs_point a, struct tcs_point b)
 	return (struct tcs_point){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-struct tcs_point
-ifc_ring_normal2(const struct tcs_point *points, size_t count)
+/* The vector area, twice, of a ring (Newell's). */
+static struct tcs_point
+ring_normal2(const struct tcs_point *points, size_t count)
 {
 	struct tcs_point sum = {0, 0, 0};
 
@@ -164,12 +165,12 @@ holes_wind(struct ifc_faces *faces, const struct ifc_face *face)
 	struct tcs_point *points = faces->points.at + face->first_point;
 	struct tcs_point outer, hole;
 
-	outer = ifc_ring_normal2(points, faces->rings.at[face->first_ring]);
+	outer = ring_normal2(points, faces->rings.at[face->first_ring]);
 	for (uint32_t i = 1; i < face->ring_count; i++) {
 		size_t count = faces->rings.at[face->first_ring + i];
 
 		points += faces->rings.at[face->first_ring + i - 1];
-		hole = ifc_ring_normal2(points, count);
+		hole = ring_normal2(points, count);
 		if (outer.x * hole.x + outer.y * hole.y + outer.z * hole.z > 0)
 			ifc_ring_reverse(points, count);
 	}

@@ -137,9 +137,6 @@ void ifc_faces_reverse(struct ifc_faces *faces, size_t first_face);
 void ifc_faces_transform(struct ifc_faces *faces, size_t first_face,
 	const struct ifc_matrix *matrix);
 
-/* The vector area, twice, of a ring (Newell's). */
-struct tcs_point ifc_ring_normal2(const struct tcs_point *points, size_t count);
-
 /* Six times the volume that the faces from `first_face` on enclose. */
 double ifc_faces_volume6(const struct ifc_faces *faces, size_t first_face);
 
