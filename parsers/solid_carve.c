@@ -68,6 +68,20 @@ solid_carve_begin(struct solid_carver *carver, struct tcs_point lower,
 	return status;
 }
 
+/* Into the plane that stands for the piece's own. */
+static void
+points_flatten(struct solid_point_list *points, const struct solid_plane *plane)
+{
+	struct tcs_point n = plane->normal;
+
+	for (size_t i = 0; i < points->count; i++) {
+		double off = solid_plane_distance(plane, points->at[i]);
+
+		points->at[i] = point_minus(points->at[i],
+			(struct tcs_point){n.x * off, n.y * off, n.z * off});
+	}
+}
+
 /* The piece cut to the box, one facet after the other, into `below`. */
 static enum tcs_status
 piece_fill(
@@ -82,6 +96,9 @@ piece_fill(
 	array_clear(&from->list);
 	array_clear(&from->points);
 	status = solid_items_add(from, number, points, piece->count, fault);
+	if (!status)
+		points_flatten(
+			&from->points, &carver->planes.list.at[piece->plane]);
 	for (uint32_t i = 0; !status && from->list.count && i < SIDES; i++) {
 		const struct solid_facet *facet = &carver->cells.facets.at[i];
 		struct solid_items *other = from;
@@ -150,17 +167,29 @@ solid_carve_fill(struct solid_carver *carver, struct tcs_fault *fault)
 /* ---- one cut ----------------------------------------------------------------- */
 
 /*
- * An item to the side of the plane that it reaches into; to both where it is on
- * neither side only up to the tolerance.
+ * How far an item may reach through a plane and be left out there. Nothing of
+ * one that is nearly parallel, which may be wide however near it is.
  */
+static double
+slack_of(const struct solid_carver *carver, const struct solid_plane *plane,
+	const struct solid_item *item)
+{
+	uint32_t own = carver->pieces.list.at[item->piece].plane;
+	double cosine =
+		point_dot(carver->planes.list.at[own].normal, plane->normal);
+
+	return fabs(cosine) > 0.9 ? 0 : carver->planes.tolerance / 32;
+}
+
+/* An item to the sides of the plane that it reaches into; to one at least. */
 static enum tcs_status
 item_part(struct solid_carver *carver, const struct solid_plane *plane,
 	const struct solid_item *item, const struct tcs_point *points,
 	struct tcs_fault *fault)
 {
-	double tolerance = carver->planes.tolerance / 32;
+	double slack = slack_of(carver, plane, item);
 	struct solid_range range = solid_range_of(plane, points, item->count);
-	bool below = range.low<-tolerance, above = range.high> tolerance;
+	bool below = range.low<-slack, above = range.high> slack;
 	enum tcs_status status;
 
 	if (below && above) {
