@@ -298,33 +298,80 @@ deepest_find(struct solid_inside *inside, const struct solid_carver *carver,
 }
 
 /* Make the windings absolute. */
-static enum tcs_status
+static void
 windings_fix(struct solid_inside *inside, const struct solid_carver *carver,
-	struct tcs_fault *fault)
+	const struct middle *middles)
 {
 	size_t count = inside->windings.count;
-	struct middle *middles = calloc(count, sizeof *middles);
-	struct solid_winding at;
-	uint32_t deepest, root;
+	uint32_t deepest = deepest_find(inside, carver, middles);
+	uint32_t root = root_find(inside, deepest);
+	struct solid_winding at =
+		solid_winding_at(&carver->pieces, middle_of(&middles[deepest]));
 
-	if (!middles)
-		return fault_memory(fault);
-	middles_sum(inside, &carver->cells, middles);
-	deepest = deepest_find(inside, carver, middles);
-	at = solid_winding_at(&carver->pieces, middle_of(&middles[deepest]));
-	free(middles);
-	root = root_find(inside, deepest);
 	for (unsigned who = 0; who < 2 && deepest != root; who++)
 		at.times[who] -= inside->windings.at[deepest].times[who];
 	for (uint32_t i = 0; i < count; i++)
 		root_find(inside, i);
+	inside->windings.at[root] = (struct solid_winding){{0, 0}};
 	for (uint32_t i = 0; i < count; i++)
 		for (unsigned who = 0; who < 2; who++)
-			inside->windings.at[i].times[who] =
-				(i == root ? 0
-					   : inside->windings.at[i]
-							.times[who]) +
-				at.times[who];
+			inside->windings.at[i].times[who] += at.times[who];
+}
+
+/* Whether no facet to speak of says something else than the cells beside it. */
+static bool
+windings_agree(
+	const struct solid_inside *inside, const struct solid_carver *carver)
+{
+	for (size_t i = 0; i < inside->panes.count; i++) {
+		const uint32_t *cells =
+			pane_facet(inside, &carver->cells, i)->cells;
+
+		if (cells[0] == SOLID_OUTSIDE || cells[1] == SOLID_OUTSIDE ||
+			inside->panes.at[i].width <=
+				4 * carver->planes.tolerance)
+			continue;
+		for (unsigned who = 0; who < 2; who++)
+			if (inside->windings.at[cells[1]].times[who] -
+					inside->windings.at[cells[0]]
+						.times[who] !=
+				inside->covers.at[i].step[who])
+				return false;
+	}
+	return true;
+}
+
+#define MOST_ANGLES 5e7 /* of pieces as seen from cells: some seconds */
+
+/* Ask around every cell, where facets contradict each other. */
+static void
+windings_ask(struct solid_inside *inside, const struct solid_carver *carver,
+	const struct middle *middles)
+{
+	size_t count = inside->windings.count;
+
+	if ((double)count * (double)carver->pieces.list.count > MOST_ANGLES)
+		return;
+	for (size_t i = 0; i < count; i++)
+		if (middles[i].count)
+			inside->windings.at[i] = solid_winding_at(
+				&carver->pieces, middle_of(&middles[i]));
+}
+
+static enum tcs_status
+windings_find(struct solid_inside *inside, const struct solid_carver *carver,
+	struct tcs_fault *fault)
+{
+	struct middle *middles =
+		calloc(inside->windings.count, sizeof *middles);
+
+	if (!middles)
+		return fault_memory(fault);
+	middles_sum(inside, &carver->cells, middles);
+	windings_fix(inside, carver, middles);
+	if (!windings_agree(inside, carver))
+		windings_ask(inside, carver, middles);
+	free(middles);
 	return TCS_OK;
 }
 
@@ -351,5 +398,5 @@ solid_inside_find(struct solid_inside *inside, struct solid_carver *carver,
 			cells_join(inside, facet->cells[0], facet->cells[1],
 				inside->covers.at[pane].step);
 	}
-	return windings_fix(inside, carver, fault);
+	return windings_find(inside, carver, fault);
 }

@@ -4,7 +4,9 @@
  *
  * Stepping through a facet changes that by what the faces that cover it say. The
  * largest facets are asked first and no more than it takes to reach every cell,
- * so that what input in error says around its edges is not asked.
+ * so that what input in error says around its edges is not asked. Where large
+ * facets contradict each other all the same, as between planes that all but
+ * coincide, the faces' solid angles from within each cell decide.
  */
 #ifndef TESSERA_SOLID_INSIDE_H
 #define TESSERA_SOLID_INSIDE_H
