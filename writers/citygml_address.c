@@ -56,16 +56,6 @@ may_give(struct given *given, const char *name)
 }
 
 static void
-lose(struct composer *composer, const char *item, const char *reason,
-	const char *name)
-{
-	struct tcs_fault fault;
-
-	if (compose_note(composer, REPORT_SKIPPED, item, reason, name, &fault))
-		composer->out->markup.failed = true;
-}
-
-static void
 write_xml_attributes(struct composer *composer, uint32_t index,
 	const char *module, struct given *given)
 {
@@ -78,17 +68,12 @@ write_xml_attributes(struct composer *composer, uint32_t index,
 			composer, attribute_at(composer, member)->value);
 		char qualified[128];
 
-		if (*name != '@')
+		if (*name != '@' || !strcmp(name, "@id"))
 			continue;
 		if (!may_give(given, name + 1)) {
-			lose(composer, "attribute of an element",
+			compose_lose(composer, "attribute of an element",
 				"its name is not legal or stands there twice",
 				name);
-			continue;
-		}
-		if (!strcmp(name, "@id")) {
-			markup_attribute(
-				markup, "gml:id", compose_id(composer, value));
 			continue;
 		}
 		strcpy(qualified, prefix_of(composer, module, name + 1));
@@ -98,6 +83,21 @@ write_xml_attributes(struct composer *composer, uint32_t index,
 }
 
 /* An address is a feature, and in 3.0 has an id. */
+static void
+write_id(struct composer *composer, uint32_t index, const char *module)
+{
+	uint32_t given = value_member(composer, index, "@id");
+	const char *wanted = given == TCS_NONE
+		? ""
+		: compose_text(composer, attribute_at(composer, given)->value);
+	bool is_feature = !strcmp(module, "core") &&
+		!strcmp(name_at(composer, index), "Address");
+
+	if (*wanted || (is_feature && compose_is_3(composer)))
+		markup_attribute(&composer->out->markup, "gml:id",
+			compose_id(composer, wanted));
+}
+
 static void
 open_element(struct composer *composer, uint32_t index, const char *module)
 {
@@ -110,10 +110,7 @@ open_element(struct composer *composer, uint32_t index, const char *module)
 	struct given given = {.count = 0};
 
 	markup_start(markup, module, name);
-	if (compose_is_3(composer) && !strcmp(module, "core") &&
-		!strcmp(name, "Address") &&
-		value_member(composer, index, "@id") == TCS_NONE)
-		markup_attribute(markup, "gml:id", compose_id(composer, ""));
+	write_id(composer, index, module);
 	if (*unit && may_give(&given, "uom"))
 		markup_attribute(markup, "uom", unit);
 	if (*space && may_give(&given, "codeSpace"))
@@ -151,7 +148,7 @@ next_element(struct composer *composer, uint32_t member)
 		const char *name = name_at(composer, member);
 
 		if (*name != '@')
-			lose(composer, "part of an attribute",
+			compose_lose(composer, "part of an attribute",
 				"its name is not legal", name);
 		member = composer->next_member.at[member];
 	}
@@ -345,16 +342,13 @@ convert(struct composer *composer, uint32_t index, uint32_t xal, bool from_3)
 {
 	const char *found[PART_COUNT] = {0};
 	struct markup *markup = &composer->out->markup;
-	struct tcs_fault fault;
 
-	if (find_parts(composer, xal, from_3, found) &&
-		compose_note(composer, REPORT_SKIPPED, "part of an address",
+	if (find_parts(composer, xal, from_3, found))
+		compose_lose(composer, "part of an address",
 			"the other version of xAL has another place for it",
-			composer->nodes.at[0].id, &fault))
-		markup->failed = true;
+			composer->nodes.at[0].id);
 	markup_start(markup, "core", "Address");
-	if (compose_is_3(composer))
-		markup_attribute(markup, "gml:id", compose_id(composer, ""));
+	write_id(composer, attribute_at(composer, xal)->parent, "core");
 	markup_start(markup, "core", "xalAddress");
 	if (from_3)
 		write_2(composer, found);

@@ -113,6 +113,16 @@ compose_note(struct composer *composer, enum report_severity severity,
 		id && *id ? id : NULL, composer->number, fault);
 }
 
+void
+compose_lose(struct composer *composer, const char *item, const char *reason,
+	const char *id)
+{
+	struct tcs_fault fault;
+
+	if (compose_note(composer, REPORT_SKIPPED, item, reason, id, &fault))
+		composer->out->markup.failed = true;
+}
+
 static bool
 define(struct composer *composer, const char *id)
 {
@@ -292,6 +302,9 @@ link_write(struct composer *composer, const struct item *item,
 	write_href(composer, target);
 	if (*note && property->content == CONTENT_MEMBER)
 		markup_attribute(markup, "role", note);
+	else if (*note)
+		compose_lose(composer, "role of a link",
+			"only members of a group have one", note);
 	markup_end(markup, module, property->name);
 }
 
@@ -546,6 +559,10 @@ compose_object(struct composer *composer, const struct tcs_record *record,
 		status = place_items(composer, fault);
 	for (size_t i = 0; i < composer->roots.count && !status; i++)
 		status = write_member(composer, composer->roots.at[i], fault);
+	if (!status && out->markup.replaced)
+		status = compose_note(composer, REPORT_REPAIRED, "text",
+			"a character that XML has not is U+FFFD now",
+			composer->nodes.at[0].id, fault);
 	if (status)
 		return status;
 	find_bounds(composer, out);

@@ -14,6 +14,7 @@
  *     citygml_address.c    addresses, between the versions of xAL
  *     citygml_shapes.c     geometry
  *     citygml_paints.c     appearance
+ *     citygml_surface_data.c  its materials and images
  *     citygml_pieces.c     polygons: repeated ones, ids
  *     citygml_merge.c      polygons that have only triangles, joined
  *
@@ -122,7 +123,29 @@ struct hole {
 /* The images and materials of the stream so far. */
 struct gml_palette {
 	struct tcs_palette all;
+	/* per entry: the number of the object behind it, which keeps its id */
+	TCS_ARRAY(uint64_t) material_objects;
+	TCS_ARRAY(uint64_t) image_objects;
 	pthread_rwlock_t lock;
+};
+
+/* Append entries that stand before the object of this number. Takes the lock.
+ * Fails with TCS_NO_MEMORY. */
+enum tcs_status gml_palette_add(struct gml_palette *palette,
+	const struct tcs_palette *more, uint64_t object,
+	struct tcs_fault *fault) TCS_CHECKED;
+void gml_palette_release(struct gml_palette *palette);
+
+/* An entry of the palette, copied: it may grow meanwhile. `id` is "" where the
+ * entry must not have one here. Text is in the composer's arena. */
+struct gml_material {
+	struct tcs_material is;
+	const char *id;
+};
+
+struct gml_image {
+	struct tcs_image is;
+	const char *id, *uri, *mime, *type;
 };
 
 /* What all workers are told; constant. */
@@ -234,6 +257,10 @@ enum tcs_status compose_note(struct composer *composer,
 	enum report_severity severity, const char *item, const char *reason,
 	const char *id, struct tcs_fault *fault) TCS_CHECKED;
 
+/* The same for what is found while writing; want of memory is remembered. */
+void compose_lose(struct composer *composer, const char *item,
+	const char *reason, const char *id);
+
 /*
  * An id to define: `wanted` made legal and unique, or one made up when it is
  * empty. Registers it. NULL without memory.
@@ -247,6 +274,15 @@ const char *compose_id(struct composer *composer, const char *wanted);
  */
 const char *compose_id_in(struct composer *composer,
 	const struct tcs_geometry *geometry, tcs_text wanted);
+
+/* The feature that is written for one, itself or around it. */
+static inline uint32_t
+compose_written(const struct composer *composer, uint32_t feature)
+{
+	while (composer->nodes.at[feature].melted)
+		feature = composer->nodes.at[feature].parent;
+	return feature;
+}
 
 /* The length of a unit along each axis, near the object, in metres. */
 struct tcs_point compose_metres(const struct composer *composer);
@@ -278,6 +314,9 @@ enum tcs_status pieces_clear(
 /* Once they are at home: those that repeat an earlier polygon. */
 enum tcs_status pieces_find_repetitions(
 	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* A triangle of a triangulated surface. */
+bool pieces_is_patch(const struct composer *composer, uint32_t polygon);
 
 /* Once it is known what refers to them: faces, and ids. */
 enum tcs_status pieces_name(
@@ -330,6 +369,11 @@ void shapes_write(
 void address_points_write(struct composer *composer, uint32_t address);
 void prototype_write(struct composer *composer);
 void instance_write(struct composer *composer, const struct item *item);
+
+/* ---- citygml_surface_data.c ---------------------------------------------- */
+
+struct gml_material gml_material_at(struct composer *composer, uint32_t index);
+struct gml_image gml_image_at(struct composer *composer, uint32_t index);
 
 /* ---- citygml_paints.c ---------------------------------------------------- */
 

@@ -147,26 +147,37 @@ generic_write_string(
 	write_string(composer, false, name, value);
 }
 
-/* The unit of a measure, where measures have no element of their own. */
+/* A string "name:what", for what the element has no place for. */
 static void
-write_unit(struct composer *composer, bool inside, uint32_t index,
+write_beside(struct composer *composer, bool inside, const char *name,
+	const char *what, const char *value)
+{
+	size_t length = strlen(name) + strlen(what) + 2;
+	char *text = arena_get(&composer->arena, length);
+
+	if (!text) {
+		composer->out->markup.failed = true;
+		return;
+	}
+	snprintf(text, length, "%s:%s", name, what);
+	write_string(composer, inside, text, value);
+}
+
+/* The unit of a measure where it is none there, the space of a code. */
+static void
+write_rest(struct composer *composer, bool inside, uint32_t index,
 	const char *name)
 {
 	const struct tcs_attribute *attribute =
 		&composer->object.attributes.at[index];
 	const char *unit = compose_text(composer, attribute->unit);
-	size_t length = strlen(name) + sizeof ":uom";
-	char *text;
+	const char *space = compose_text(composer, attribute->code_space);
+	unsigned type = type_of(composer, attribute);
 
-	if (!*unit || type_of(composer, attribute) == TCS_MEASURE)
-		return;
-	text = arena_get(&composer->arena, length);
-	if (!text) {
-		composer->out->markup.failed = true;
-		return;
-	}
-	snprintf(text, length, "%s:uom", name);
-	write_string(composer, inside, text, unit);
+	if (*unit && type != TCS_MEASURE)
+		write_beside(composer, inside, name, "uom", unit);
+	if (*space && !(type == TCS_CODE && compose_is_3(composer)))
+		write_beside(composer, inside, name, "codeSpace", space);
 }
 
 static void
@@ -181,7 +192,7 @@ enter(struct composer *composer, bool inside, uint32_t index)
 
 	if (!is_set(composer, index)) {
 		write_leaf(composer, inside, index, name);
-		write_unit(composer, inside, index, name);
+		write_rest(composer, inside, index, name);
 		return;
 	}
 	if (!is_1_0(composer)) {

@@ -21,6 +21,7 @@ markup_clear(struct markup *markup, unsigned depth)
 	markup->in_tag = false;
 	markup->after_text = false;
 	markup->failed = false;
+	markup->replaced = false;
 }
 
 enum tcs_status
@@ -155,6 +156,7 @@ put_escaped(struct markup *markup, const char *text)
 		}
 		if (!escape)
 			continue;
+		markup->replaced |= *escape != '&';
 		markup_raw(markup, from, (size_t)(text - from));
 		put(markup, escape);
 		text += length - 1;

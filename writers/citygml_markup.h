@@ -26,6 +26,7 @@ struct markup {
 	unsigned depth; /* of indentation */
 	bool in_tag; /* a start tag waits for its '>' */
 	bool after_text; /* the end tag follows on the same line */
+	bool replaced; /* a character that XML does not allow */
 	bool failed;
 };
 

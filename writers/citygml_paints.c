@@ -54,8 +54,16 @@ add_keys(struct composer *composer, struct paint_key *keys, size_t *count)
 		struct paint_key key = {
 			{paint->theme, TCS_NONE, TCS_NONE, paint->flags, i}};
 
-		if (polygon == TCS_NONE)
+		if (polygon == TCS_NONE || pieces_is_patch(composer, polygon)) {
+			compose_lose(composer, "paint",
+				polygon == TCS_NONE
+					? "its polygon is not written"
+					: "triangles of a triangulated surface "
+					  "have no ids",
+				composer->nodes.count ? composer->nodes.at[0].id
+						      : NULL);
 			continue;
+		}
 		composer->pieces.at[polygon].is_target = true;
 		if (paint->image != TCS_NONE) {
 			composer->pieces.at[polygon].rings_need_ids = true;
@@ -97,53 +105,6 @@ paints_prepare(struct composer *composer, struct tcs_fault *fault)
 	return item_add(composer, 0, property, ITEM_APPEARANCE, 0, fault);
 }
 
-/* ---- materials and images ------------------------------------------------------- */
-
-/* Copies what is asked for: the palette may grow meanwhile. */
-static struct tcs_material
-material_at(struct composer *composer, uint32_t index)
-{
-	struct gml_palette *palette = composer->plan->palette;
-	struct tcs_material material;
-
-	pthread_rwlock_rdlock(&palette->lock);
-	material = palette->all.materials.at[index];
-	pthread_rwlock_unlock(&palette->lock);
-	return material;
-}
-
-struct image {
-	struct tcs_image is;
-	const char *uri, *mime, *type;
-};
-
-static const char *
-kept(struct composer *composer, const struct tcs_palette *palette,
-	tcs_text text)
-{
-	const char *from = palette_text(palette, text);
-	const char *copy = arena_copy(&composer->arena, from, strlen(from));
-
-	if (!copy)
-		composer->out->markup.failed = true;
-	return copy ? copy : "";
-}
-
-static struct image
-image_at(struct composer *composer, uint32_t index)
-{
-	struct gml_palette *palette = composer->plan->palette;
-	struct image image;
-
-	pthread_rwlock_rdlock(&palette->lock);
-	image.is = palette->all.images.at[index];
-	image.uri = kept(composer, &palette->all, image.is.uri);
-	image.mime = kept(composer, &palette->all, image.is.mime);
-	image.type = kept(composer, &palette->all, image.is.type);
-	pthread_rwlock_unlock(&palette->lock);
-	return image;
-}
-
 /* ---- writing -------------------------------------------------------------------- */
 
 /* The shortest decimal that is the same float. */
@@ -175,12 +136,12 @@ write_floats(struct composer *composer, const char *name, const float *values,
 }
 
 static void
-start_feature(struct composer *composer, const char *name)
+start_feature(struct composer *composer, const char *name, const char *id)
 {
 	markup_start(&composer->out->markup, "app", name);
-	if (compose_is_3(composer))
+	if (*id || compose_is_3(composer))
 		markup_attribute(&composer->out->markup, "gml:id",
-			compose_id(composer, ""));
+			compose_id(composer, id));
 }
 
 static const char *
@@ -219,10 +180,11 @@ write_material(
 {
 	const struct tcs_paint *paints = composer->object.paints.at;
 	const struct tcs_paint *paint = &paints[from->index];
-	struct tcs_material material = material_at(composer, paint->material);
+	struct gml_material found = gml_material_at(composer, paint->material);
+	struct tcs_material material = found.is;
 	struct markup *markup = &composer->out->markup;
 
-	start_feature(composer, "X3DMaterial");
+	start_feature(composer, "X3DMaterial", found.id);
 	if (paint->flags & TCS_PAINT_BACK)
 		markup_leaf(markup, "app", "isFront", "false");
 	write_floats(composer, "ambientIntensity", &material.ambient, 1);
@@ -336,7 +298,7 @@ write_wrapped(struct composer *composer, const struct wrapped *wrapped)
 		return;
 	}
 	markup_start(markup, "app", "textureParameterization");
-	start_feature(composer, "TextureAssociation");
+	start_feature(composer, "TextureAssociation", "");
 	write_target(composer, wrapped->id);
 	markup_start(markup, "app", "textureParameterization");
 	write_coordinate_list(composer, wrapped);
@@ -393,10 +355,10 @@ write_texture(
 {
 	const struct tcs_paint *paints = composer->object.paints.at;
 	const struct tcs_paint *paint = &paints[from->index];
-	struct image image = image_at(composer, paint->image);
+	struct gml_image image = gml_image_at(composer, paint->image);
 	struct markup *markup = &composer->out->markup;
 
-	start_feature(composer, "ParameterizedTexture");
+	start_feature(composer, "ParameterizedTexture", image.id);
 	if (paint->flags & TCS_PAINT_BACK)
 		markup_leaf(markup, "app", "isFront", "false");
 	markup_leaf(markup, "app", "imageURI", image.uri);
@@ -404,6 +366,14 @@ write_texture(
 		markup_leaf(markup, "app", "mimeType", image.mime);
 	if (is_texture_type(image.type))
 		markup_leaf(markup, "app", "textureType", image.type);
+	else if (*image.type)
+		compose_lose(composer, "type of a texture",
+			"CityGML knows specific, typical and unknown",
+			image.type);
+	if (image.is.byte_count)
+		compose_lose(composer, "image",
+			"its bytes are in the stream: only its name is written",
+			image.uri);
 	if (image.is.wrap <= TCS_WRAP_BORDER)
 		markup_leaf(markup, "app", "wrapMode", wraps[image.is.wrap]);
 	if (has_border(&image.is))
@@ -440,7 +410,7 @@ write_theme(
 	size_t run;
 
 	markup_start(markup, around, "appearance");
-	start_feature(composer, "Appearance");
+	start_feature(composer, "Appearance", "");
 	if (theme)
 		markup_leaf(
 			markup, "app", "theme", compose_text(composer, theme));

@@ -118,8 +118,8 @@ name_rings(struct composer *composer, const struct tcs_polygon *polygon,
 }
 
 /* Patches of a triangulated surface have no ids. */
-static bool
-is_patch(const struct composer *composer, uint32_t polygon)
+bool
+pieces_is_patch(const struct composer *composer, uint32_t polygon)
 {
 	uint32_t geometry = composer->owners.at[polygon];
 
@@ -136,7 +136,7 @@ name_piece(struct composer *composer, const struct tcs_geometry *geometry,
 	struct piece *piece = &composer->pieces.at[index];
 
 	if (piece->home == TCS_NONE || piece->foreign ||
-		piece->first != TCS_NONE || is_patch(composer, index) ||
+		piece->first != TCS_NONE || pieces_is_patch(composer, index) ||
 		!shape_face_count(composer, index))
 		return TCS_OK;
 	if (polygon->id || piece->is_target || compose_is_3(composer))

@@ -27,15 +27,6 @@ item_add(struct composer *composer, uint32_t feature, uint16_t property,
 	return TCS_OK;
 }
 
-/* The feature that is written for one, itself or above it. */
-static uint32_t
-written(const struct composer *composer, uint32_t feature)
-{
-	while (composer->nodes.at[feature].melted)
-		feature = composer->nodes.at[feature].parent;
-	return feature;
-}
-
 /* ---- levels of detail ------------------------------------------------------ */
 
 static unsigned
@@ -100,7 +91,7 @@ map_all_levels(struct composer *composer, struct tcs_fault *fault)
 	memset(composer->stack.at, 0, count * sizeof *composer->stack.at);
 	for (size_t i = 0; i < object->geometries.count; i++) {
 		const struct tcs_geometry *geometry = &object->geometries.at[i];
-		uint32_t feature = written(composer, geometry->feature);
+		uint32_t feature = compose_written(composer, geometry->feature);
 
 		if (geometry->lod <= 4)
 			composer->stack.at[composer->nodes.at[feature].host] |=
@@ -246,7 +237,7 @@ static enum tcs_status
 place_polygon(struct composer *composer, uint32_t polygon, uint32_t owner,
 	unsigned lod, bool flat, struct tcs_fault *fault)
 {
-	uint32_t surface = written(
+	uint32_t surface = compose_written(
 		composer, composer->object.polygons.at[polygon].surface);
 	struct piece *piece = &composer->pieces.at[polygon];
 
@@ -351,7 +342,7 @@ place_geometry(
 {
 	const struct tcs_geometry *geometry =
 		&composer->object.geometries.at[index];
-	uint32_t owner = written(composer, geometry->feature);
+	uint32_t owner = compose_written(composer, geometry->feature);
 	unsigned lod = level_at(composer, owner, geometry->lod);
 	enum tcs_status status;
 	uint16_t property;
@@ -394,7 +385,7 @@ place_instance(
 {
 	const struct tcs_instance *instance =
 		&composer->object.instances.at[index];
-	uint32_t feature = written(composer, instance->feature);
+	uint32_t feature = compose_written(composer, instance->feature);
 	struct node *node = &composer->nodes.at[feature];
 	unsigned lod = level_at(composer, feature, instance->lod);
 	unsigned least = 16;
@@ -416,6 +407,15 @@ place_instance(
 			"implicit geometry", "this version has no place for it",
 			compose_text(composer, instance->id), fault);
 	node->taken |= (uint64_t)1 << found;
+	if (node->class->properties[found].lod != lod) {
+		enum tcs_status status = compose_note(composer, REPORT_NOTE,
+			"implicit geometry",
+			"its level has no place: written at another one",
+			compose_text(composer, instance->id), fault);
+
+		if (status)
+			return status;
+	}
 	return item_add(composer, feature, found, ITEM_INSTANCE, index, fault);
 }
 
@@ -440,7 +440,7 @@ place_relation(
 {
 	const struct tcs_relation *relation =
 		&composer->object.relations.at[index];
-	uint32_t feature = written(composer, relation->feature);
+	uint32_t feature = compose_written(composer, relation->feature);
 	const struct schema_class *class = composer->nodes.at[feature].class;
 	const char *role = compose_text(composer, relation->role);
 	uint16_t property = schema_find(class, role);

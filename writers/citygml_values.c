@@ -214,13 +214,16 @@ place_height(struct composer *composer, uint32_t index, const char *name,
 	return false;
 }
 
+static const char no_place[] = "no standard place: written as a generic one";
+
+/* With the reason why, unless it was one before. */
 static enum tcs_status
-place_generic(struct composer *composer, uint32_t index, bool standard,
+place_generic(struct composer *composer, uint32_t index, const char *reason,
 	struct tcs_fault *fault)
 {
 	const struct tcs_attribute *attribute =
 		&composer->object.attributes.at[index];
-	uint32_t feature = attribute->feature;
+	uint32_t feature = compose_written(composer, attribute->feature);
 	uint16_t property = schema_find_content(
 		composer->nodes.at[feature].class, CONTENT_GENERIC);
 	const char *name = compose_text(composer, attribute->name);
@@ -229,10 +232,9 @@ place_generic(struct composer *composer, uint32_t index, bool standard,
 	if (property == SCHEMA_NONE)
 		return compose_note(composer, REPORT_SKIPPED, "attribute",
 			"its feature has no place for it", name, fault);
-	if (standard)
+	if (reason)
 		status = compose_note(composer, REPORT_NOTE, "attribute",
-			"no standard place: written as a generic one", name,
-			fault);
+			reason, name, fault);
 	if (status)
 		return status;
 	return item_add(
@@ -268,7 +270,7 @@ place_standard(
 	if (property == SCHEMA_NONE ||
 		!fits(composer, index, &class->properties[property]) ||
 		!take(composer, feature, property))
-		return place_generic(composer, index, true, fault);
+		return place_generic(composer, index, no_place, fault);
 	if (class->properties[property].content == CONTENT_ADDRESS) {
 		if (array_grow(&composer->addresses, 1))
 			return fault_memory(fault);
@@ -278,7 +280,7 @@ place_standard(
 	if (value_is_shortened(
 		    composer, attribute, class->properties[property].content)) {
 		enum tcs_status status =
-			place_generic(composer, index, true, fault);
+			place_generic(composer, index, no_place, fault);
 
 		if (status)
 			return status;
@@ -297,13 +299,14 @@ place_attribute(
 	if (attribute->parent != TCS_NONE)
 		return TCS_OK;
 	if (composer->nodes.at[attribute->feature].melted)
-		return compose_note(composer, REPORT_SKIPPED, "attribute",
-			"its feature is not written",
-			compose_text(composer, attribute->name), fault);
+		return place_generic(composer, index,
+			"its feature is not written: a generic one of what "
+			"holds it",
+			fault);
 	if (attribute->flags & TCS_ATTRIBUTE_GENERIC)
-		return place_generic(composer, index, false, fault);
+		return place_generic(composer, index, NULL, fault);
 	if (*compose_text(composer, attribute->space))
-		return place_generic(composer, index, true, fault);
+		return place_generic(composer, index, no_place, fault);
 	return place_standard(composer, index, fault);
 }
 
@@ -404,6 +407,10 @@ write_simple(struct composer *composer, const struct tcs_attribute *attribute,
 		(composer->plan->schema.version != GML_1_0 ||
 			!strcmp(property->module, "gml")))
 		markup_attribute(markup, "codeSpace", space);
+	else if (*space)
+		compose_lose(composer, "code space",
+			"the attribute has none in this version",
+			property->name);
 	if (value && *value)
 		markup_text(markup, value);
 	markup_end(markup, module, property->name);

@@ -58,12 +58,9 @@ take_palette(struct run *run, const struct tcs_record *record,
 {
 	enum tcs_status status = palette_decode(&run->more, record, fault);
 
-	if (status)
-		return status;
-	pthread_rwlock_wrlock(&run->palette.lock);
-	status = palette_append(&run->palette.all, &run->more, fault);
-	pthread_rwlock_unlock(&run->palette.lock);
-	return status;
+	return status ? status
+		      : gml_palette_add(&run->palette, &run->more,
+				record->before.objects, fault);
 }
 
 static enum tcs_status
@@ -232,7 +229,7 @@ close_run(struct run *run, const struct command *command)
 	schema_release(&run->plan.schema);
 	head_release(&run->head);
 	record_release(&run->head_record);
-	palette_release(&run->palette.all);
+	gml_palette_release(&run->palette);
 	palette_release(&run->more);
 	reader_release(&run->reader);
 	if (run->in && run->in != stdin)

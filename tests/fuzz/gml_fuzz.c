@@ -155,8 +155,8 @@ take(struct run *run, struct tcs_record *record)
 	if (record->type == TCS_PALETTE) {
 		status = palette_decode(&run->more, record, &fault);
 		if (!status)
-			status = palette_append(
-				&run->palette.all, &run->more, &fault);
+			status = gml_palette_add(&run->palette, &run->more,
+				run->tally.objects, &fault);
 	} else if (record->type == TCS_OBJECT ||
 		record->type == TCS_PROTOTYPE) {
 		status = record->type == TCS_OBJECT
@@ -263,7 +263,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	head_release(&run.head);
 	record_release(&run.head_record);
 	palette_release(&run.more);
-	palette_release(&run.palette.all);
+	gml_palette_release(&run.palette);
 	pthread_rwlock_destroy(&run.palette.lock);
 	return 0;
 }
