@@ -269,14 +269,32 @@ write_href(struct composer *composer, const char *target)
 	markup_link(&out->markup, "xlink:href", legal);
 }
 
+/* The id that the source gives a role; "" for none. */
+static const char *
+role_id(const struct composer *composer, const struct item *item)
+{
+	uint32_t at = TCS_NONE;
+
+	if (item->kind == ITEM_ATTRIBUTE)
+		at = value_member(composer, item->index, "Role");
+	if (at != TCS_NONE)
+		at = value_member(composer, at, "@id");
+	return at == TCS_NONE
+		? ""
+		: compose_text(
+			  composer, composer->object.attributes.at[at].value);
+}
+
 static void
-write_role(struct composer *composer, const char *target, const char *note)
+write_role(struct composer *composer, const struct item *item,
+	const char *target, const char *note)
 {
 	struct markup *markup = &composer->out->markup;
 
 	markup_start(markup, "grp", "groupMember");
 	markup_start(markup, "grp", "Role");
-	markup_attribute(markup, "gml:id", compose_id(composer, ""));
+	markup_attribute(markup, "gml:id",
+		compose_id(composer, role_id(composer, item)));
 	if (*note)
 		markup_leaf(markup, "grp", "role", note);
 	markup_start(markup, "grp", "groupMember");
@@ -295,7 +313,7 @@ link_write(struct composer *composer, const struct item *item,
 	struct markup *markup = &composer->out->markup;
 
 	if (property->content == CONTENT_ROLE) {
-		write_role(composer, target, note);
+		write_role(composer, item, target, note);
 		return;
 	}
 	markup_start(markup, module, property->name);
