@@ -7,8 +7,6 @@
 
 #include "citygml_build.h"
 
-enum { MOST_THEMES = 64 }; /* that show the same material or texture */
-
 /* Something of the object by an id, to be sorted. */
 struct named {
 	const char *id; /* in the object's text, which must not grow */

@@ -134,6 +134,8 @@ struct raw_texmatrix {
 	bool east_first; /* x is easting; else positions are as written */
 };
 
+enum { MOST_THEMES = 64 }; /* that show the same material or texture */
+
 /* A theme that shows a material or a texture of another theme, too. */
 struct raw_alias {
 	tcs_text theme;

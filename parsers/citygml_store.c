@@ -6,8 +6,6 @@
 
 #include "citygml_keys.h"
 
-enum { MOST_THEMES = 64 }; /* that show the same material or texture */
-
 /*
  * A paint in the file: this, then its texts, the matrix if there is one, and
  * for each ring its id and coordinates.
