@@ -28,13 +28,10 @@ lod_rank(unsigned lod)
 static bool
 has_triangles(const struct tcs_object *object, const struct tcs_geometry *of)
 {
-	const struct tcs_polygon *polygon;
-
 	if (!geometry_has_area(of))
 		return false;
-	polygon = object->polygons.at + of->first_polygon;
 	for (uint32_t i = 0; i < of->polygon_count; i++)
-		if (polygon[i].triangle_count)
+		if (object->polygons.at[of->first_polygon + i].triangle_count)
 			return true;
 	return false;
 }
