@@ -174,7 +174,7 @@ mesh_load(struct gml_reader *reader, const char *path, const char *key,
 		status = geometry_add(reader, &mesh, instance, fault);
 	if (!status && !*problem)
 		status = template_add(reader, key, geometry, instance, fault);
-	mesh_release(&mesh);
+	mesh_file_release(&mesh);
 	return status;
 }
 

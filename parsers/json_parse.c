@@ -1,6 +1,5 @@
 #include "json_parse.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -65,6 +64,10 @@ json_get_index(struct json_place *place, const char *key, const json_t *value,
 }
 
 /* A number, null for NaN, "inf", "-inf". */
+/* From here on doubles round to no finite float; the shortest digits of the
+   largest float are between the two. */
+#define FLOAT_END 0x1.ffffffp127
+
 static bool
 get_double(const json_t *value, double *out)
 {
@@ -246,7 +249,7 @@ get_numbers(struct json_place *place, const struct tcs_field *field,
 			    &wide))
 			return json_fault(place, field->name, "not a number");
 		if (field->type == FIELD_FLOAT && isfinite(wide) &&
-			fabs(wide) > FLT_MAX)
+			fabs(wide) >= FLOAT_END)
 			return json_fault(place, field->name, "out of range");
 		narrow = (float)wide;
 		memcpy(at,

@@ -10,7 +10,7 @@
 static const char too_large[] = "larger than --max-library";
 
 void
-mesh_release(struct mesh_file *mesh)
+mesh_file_release(struct mesh_file *mesh)
 {
 	array_release(&mesh->points);
 	array_release(&mesh->corners);

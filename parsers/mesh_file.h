@@ -39,7 +39,7 @@ struct mesh_file {
 	TCS_ARRAY(char) names; /* NUL-terminated each */
 };
 
-void mesh_release(struct mesh_file *mesh);
+void mesh_file_release(struct mesh_file *mesh);
 
 /* Where the file and those it names are, and how large each may be; points
  * and corners may not take more either. */

@@ -386,7 +386,7 @@ write_item(struct composer *composer, const struct item *item)
 		generic_write(composer, item->index);
 		return;
 	case ITEM_APPEARANCE:
-		paints_write(composer);
+		appearances_write(composer);
 		return;
 	case ITEM_INSTANCE:
 		instance_write(composer, item);

@@ -380,7 +380,7 @@ struct gml_image gml_image_at(struct composer *composer, uint32_t index);
 /* Which polygons and rings need ids for being painted. */
 enum tcs_status paints_prepare(
 	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
-void paints_write(struct composer *composer);
+void appearances_write(struct composer *composer);
 
 /* ---- citygml_merge.c ----------------------------------------------------- */
 

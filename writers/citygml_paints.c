@@ -431,7 +431,7 @@ write_theme(
 }
 
 void
-paints_write(struct composer *composer)
+appearances_write(struct composer *composer)
 {
 	const struct painting *all = composer->paints.at;
 	const struct tcs_paint *paints = composer->object.paints.at;

@@ -53,7 +53,7 @@ LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 		abort();
 	if (!status && !problem)
 		check(&mesh, source.limit);
-	mesh_release(&mesh);
+	mesh_file_release(&mesh);
 	free(copy.at);
 	return 0;
 }
