@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "compare_seam.h"
+#include "forest.h"
 #include "split_work.h"
 
 enum { CONTACTS_AT_ONCE = 32, COMPONENTS_AT_ONCE = 32 };
@@ -178,16 +179,6 @@ judge_contacts(const struct judge *judge, struct compare_metrics *metrics,
 
 /* ---- what stands on the ground ------------------------------------------- */
 
-static uint32_t
-find_root(uint32_t *parents, uint32_t i)
-{
-	while (parents[i] != i) {
-		parents[i] = parents[parents[i]];
-		i = parents[i];
-	}
-	return i;
-}
-
 /* Per component whether a chain of contacts leads to one at the ground. The
    ground is an element behind the components. NULL without memory. */
 static uint32_t *
@@ -204,8 +195,8 @@ find_grounded(const struct compare_side *side, double ground)
 		if (side->set.components.at[i].box.low[2] <= ground)
 			parents[i] = count;
 	for (size_t i = 0; i < side->contacts.count; i++) {
-		uint32_t a = find_root(parents, side->contacts.at[i].a);
-		uint32_t b = find_root(parents, side->contacts.at[i].b);
+		uint32_t a = forest_root(parents, side->contacts.at[i].a);
+		uint32_t b = forest_root(parents, side->contacts.at[i].b);
 
 		if (a < b)
 			parents[a] = b;
@@ -213,7 +204,7 @@ find_grounded(const struct compare_side *side, double ground)
 			parents[b] = a;
 	}
 	for (uint32_t i = 0; i < count; i++)
-		parents[i] = find_root(parents, i);
+		parents[i] = forest_root(parents, i);
 	return parents;
 }
 

@@ -2,32 +2,12 @@
 
 #include <stdlib.h>
 
+#include "forest.h"
+
 /* A corner of a triangle: a feature's use of a point. */
 struct corner_use {
 	uint32_t feature, point, triangle;
 };
-
-static uint32_t
-find_root(uint32_t *parents, uint32_t i)
-{
-	while (parents[i] != i) {
-		parents[i] = parents[parents[i]];
-		i = parents[i];
-	}
-	return i;
-}
-
-/* The earlier triangle becomes the root. */
-static void
-join(uint32_t *parents, uint32_t a, uint32_t b)
-{
-	a = find_root(parents, a);
-	b = find_root(parents, b);
-	if (a < b)
-		parents[b] = a;
-	else
-		parents[a] = b;
-}
 
 static int
 by_feature_and_point(const void *left, const void *right)
@@ -53,7 +33,8 @@ join_corners(uint32_t *parents, struct corner_use *uses,
 	for (size_t i = 1; i < 3 * count; i++)
 		if (uses[i].feature == uses[i - 1].feature &&
 			uses[i].point == uses[i - 1].point)
-			join(parents, uses[i - 1].triangle, uses[i].triangle);
+			forest_join(parents, uses[i - 1].triangle,
+				uses[i].triangle);
 }
 
 static void
@@ -66,7 +47,7 @@ join_edges(uint32_t *parents, const struct edge_table *table)
 
 		run = edge_table_run(table, i);
 		if (run == 2)
-			join(parents, use[0].triangle, use[1].triangle);
+			forest_join(parents, use[0].triangle, use[1].triangle);
 	}
 }
 
@@ -90,7 +71,7 @@ components_find(const struct tcs_triangle *triangles, const uint32_t *features,
 	join_edges(parents, table);
 	/* A root is the first of its triangles. */
 	for (size_t i = 0; i < count; i++) {
-		uint32_t root = find_root(parents, (uint32_t)i);
+		uint32_t root = forest_root(parents, (uint32_t)i);
 
 		components[i] = root < i ? components[root]
 					 : (uint32_t)(*component_count)++;

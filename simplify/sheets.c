@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "forest.h"
 #include "vector.h"
 
 /* One face's use of an edge that more than two use. */
@@ -21,27 +22,6 @@ struct split {
 /* ---- edges --------------------------------------------------------------- */
 
 static uint32_t
-find_root(uint32_t *parents, uint32_t i)
-{
-	while (parents[i] != i) {
-		parents[i] = parents[parents[i]];
-		i = parents[i];
-	}
-	return i;
-}
-
-static void
-join(uint32_t *parents, uint32_t a, uint32_t b)
-{
-	a = find_root(parents, a);
-	b = find_root(parents, b);
-	if (a < b)
-		parents[b] = a;
-	else
-		parents[a] = b;
-}
-
-static uint32_t
 next_corner(uint32_t corner)
 {
 	return corner % 3 == 2 ? corner - 2 : corner + 1;
@@ -52,8 +32,8 @@ join_edge(struct split *split, uint32_t a, uint32_t b)
 {
 	split->sheets->opposites.at[a] = b;
 	split->sheets->opposites.at[b] = a;
-	join(split->parents, a, next_corner(b));
-	join(split->parents, next_corner(a), b);
+	forest_join(split->parents, a, next_corner(b));
+	forest_join(split->parents, next_corner(a), b);
 }
 
 /* The corner of a face from which it uses an edge. */
@@ -282,13 +262,14 @@ number_vertices(struct split *split, struct tcs_fault *fault)
 	for (size_t i = 0; i < sheets->corners.count; i++) {
 		uint32_t node = sheets->corners.at[i];
 
-		if (find_root(split->parents, (uint32_t)i) == i) {
+		if (forest_root(split->parents, (uint32_t)i) == i) {
 			uint32_t vertex = sheets->nodes.at[node].first_vertex++;
 
 			sheets->corners.at[i] = vertex;
 			sheets->vertex_nodes.at[vertex] = node;
 		} else {
-			uint32_t root = find_root(split->parents, (uint32_t)i);
+			uint32_t root =
+				forest_root(split->parents, (uint32_t)i);
 
 			sheets->corners.at[i] = sheets->corners.at[root];
 		}
@@ -308,7 +289,7 @@ static void
 flatten(struct split *split)
 {
 	for (size_t i = 0; i < split->sheets->corners.count; i++)
-		split->parents[i] = find_root(split->parents, (uint32_t)i);
+		split->parents[i] = forest_root(split->parents, (uint32_t)i);
 }
 
 static enum tcs_status
