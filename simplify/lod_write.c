@@ -78,6 +78,23 @@ find_node_vertices(struct lod_writer *writer, const struct lod_source *source,
 	return TCS_OK;
 }
 
+static enum tcs_status
+find_samples(struct lod_writer *writer, const struct lod_source *source,
+	struct tcs_fault *fault)
+{
+	size_t count = writer->from->features.count;
+
+	array_clear(&writer->samples);
+	if (array_grow(&writer->samples, count))
+		return fault_memory(fault);
+	writer->samples.count = count;
+	for (size_t i = 0; i < count; i++)
+		writer->samples.at[i] = TCS_NONE;
+	for (size_t i = source->set.features.count; i-- > 0;)
+		writer->samples.at[source->set.features.at[i]] = (uint32_t)i;
+	return TCS_OK;
+}
+
 static int
 by_polygon(const void *left, const void *right)
 {
@@ -114,6 +131,8 @@ lod_write_faces(struct lod_writer *writer, const struct lod_source *source,
 	enum tcs_status status =
 		find_node_vertices(writer, source, work, fault);
 
+	if (!status)
+		status = find_samples(writer, source, fault);
 	array_clear(&writer->faces);
 	if (!status && array_grow(&writer->faces, work->face_count))
 		status = fault_memory(fault);
@@ -269,20 +288,33 @@ derive_id(struct lod_writer *writer, tcs_text id, unsigned lod, uint32_t number,
 		&writer->to, writer->id.at, length + (size_t)more, out, fault);
 }
 
+/* The triangle of the source that a face is painted as. */
+static uint32_t
+painted_as(const struct lod_writer *writer, const struct lod_source *source,
+	const struct lod_face *face)
+{
+	bool own = source->set.features.at[face->triangle] == face->surface;
+	uint32_t sample = writer->samples.at[face->surface];
+
+	return own || sample == TCS_NONE ? face->triangle : sample;
+}
+
 static enum tcs_status
 project_paints(struct lod_writer *writer, const struct lod_source *source,
 	const struct lod_face *face, struct tcs_fault *fault)
 {
 	const struct tcs_object *from = writer->from;
-	const struct tcs_polygon *own = &from->polygons.at[face->polygon];
-	const uint32_t *old = source->vertices.at[face->triangle].corner;
+	uint32_t triangle = painted_as(writer, source, face);
+	uint32_t polygon = source->polygons.at[triangle];
+	uint32_t first_vertex = from->polygons.at[polygon].first_vertex;
+	const uint32_t *old = source->vertices.at[triangle].corner;
 	struct tcs_object *to = &writer->to;
 	struct tcs_point corners[3];
 
 	for (int k = 0; k < 3; k++)
 		corners[k] = from->vertices.at[old[k]];
-	for (uint32_t i = writer->first_paints.at[face->polygon];
-		i < writer->first_paints.at[face->polygon + 1]; i++) {
+	for (uint32_t i = writer->first_paints.at[polygon];
+		i < writer->first_paints.at[polygon + 1]; i++) {
 		const struct tcs_paint *paint =
 			&from->paints.at[writer->paints.at[i]];
 		enum tcs_status status = put_paint(to, paint, 3, fault);
@@ -295,7 +327,7 @@ project_paints(struct lod_writer *writer, const struct lod_source *source,
 		for (int k = 0; k < 3; k++)
 			old_coordinates[k] =
 				from->texcoords.at[paint->first_texcoord +
-					old[k] - own->first_vertex];
+					old[k] - first_vertex];
 		for (int k = 0; k < 3; k++)
 			to->texcoords.at[to->texcoords.count++] =
 				texture_plane_at(corners, old_coordinates,
@@ -602,6 +634,7 @@ lod_write_release(struct lod_writer *writer)
 	array_release(&writer->first_paints);
 	array_release(&writer->faces);
 	array_release(&writer->first_faces);
+	array_release(&writer->samples);
 	array_release(&writer->nodes);
 	array_release(&writer->solids);
 	array_release(&writer->uses);

@@ -2,9 +2,10 @@
  * Putting what a simplifier left into an object: geometries are copied as they
  * are, or written anew from the faces that are left of them.
  *
- * A face becomes a polygon of one triangle without rings. It keeps the surface
- * and the paints of the polygon it comes from; texture coordinates are those
- * of its old triangle's plane at the new corners. Where the polygon has an id,
+ * A face becomes a polygon of one triangle without rings. It keeps the paints
+ * of the polygon it comes from; texture coordinates are those of its old
+ * triangle's plane at the new corners. What has become part of another surface
+ * is painted as the first triangle of that one. Where the polygon has an id,
  * the new one's derives from it.
  */
 #ifndef TESSERA_LOD_WRITE_H
@@ -34,6 +35,9 @@ struct lod_writer {
 	TCS_ARRAY(uint32_t) first_paints; /* per polygon, and one more */
 	TCS_ARRAY(struct lod_face) faces; /* by polygon */
 	TCS_ARRAY(uint32_t) first_faces; /* per polygon, and one more */
+	TCS_ARRAY(uint32_t)
+	samples; /* per feature: the first triangle of the
+	                                source that is its; TCS_NONE */
 	TCS_ARRAY(uint32_t) nodes; /* scratch: the vertex of each node */
 	const uint32_t *homes; /* as lod_write_level got them */
 	TCS_ARRAY(uint32_t)
