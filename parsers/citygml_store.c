@@ -411,18 +411,20 @@ take_aliases(const struct paint_store *store, struct raw_object *raw,
 	struct tcs_fault *fault)
 {
 	struct raw_paint paint = raw->paints.at[raw->paints.count - 1];
-	const char *source = object_text(&raw->tree, paint.source);
-	size_t first = first_alias(store, source);
+	size_t first =
+		first_alias(store, object_text(&raw->tree, paint.source));
 	tcs_text own = paint.theme;
 
+	if (!paint.source)
+		return TCS_OK;
 	for (size_t i = first;
-		*source && i < store->aliases.count && i - first < MOST_THEMES;
-		i++) {
+		i < store->aliases.count && i - first < MOST_THEMES; i++) {
 		const struct store_alias *alias = &store->aliases.at[i];
 		enum tcs_status status;
 
-		source = object_text(&raw->tree, paint.source);
-		if (strcmp(alias->source, source) != 0)
+		/* Appending may move the text. */
+		if (strcmp(alias->source,
+			    object_text(&raw->tree, paint.source)) != 0)
 			break;
 		if (!strcmp(alias->theme, object_text(&raw->tree, own)) ||
 			(i > first && !compare_aliases(alias - 1, alias)))

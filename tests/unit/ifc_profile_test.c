@@ -68,7 +68,7 @@ area_of(const char *data, double deflection)
 		CHECK(shaper.reason != NULL);
 		break;
 	default:
-		CHECK(!"memory");
+		CHECK(false);
 	}
 	CHECK(shaper.depth == 0 || area < 0);
 	ifc_faces_release(&faces);
@@ -210,8 +210,8 @@ what_is_no_area_is_refused(void)
 		"#100=IFCRECTANGLEHOLLOWPROFILEDEF(.AREA.,$,$,3.,2.,1.,$,$);",
 		"#100=IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#99);",
 		"#100=IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#1);",
-		"#100=IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#99);"
-		"#99=IFCPOLYLINE((#1,#2,#1));",
+		("#100=IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#99);"
+		 "#99=IFCPOLYLINE((#1,#2,#1));"),
 		"#100=IFCCOMPOSITEPROFILEDEF(.AREA.,$,(#100),$);",
 		"#100=IFCWALL();",
 	};

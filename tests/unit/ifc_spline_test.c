@@ -64,8 +64,8 @@ static void
 splines_are_trimmed_by_parameters_and_points(void)
 {
 	static const char *const all[] = {
-		"(IFCPARAMETERVALUE(0.)),(IFCPARAMETERVALUE(0.5)),.T.,"
-		".PARAMETER.",
+		("(IFCPARAMETERVALUE(0.)),(IFCPARAMETERVALUE(0.5)),.T.,"
+		 ".PARAMETER."),
 		"(#2),(#6),.T.,.CARTESIAN.",
 		"(#6),(#2),.F.,.CARTESIAN.",
 	};
