@@ -130,7 +130,7 @@ find_cover(const struct compare_side *before, uint32_t number,
 	return cover;
 }
 
-/* As images, for now: the covers of those that nothing comes from. */
+/* Those that nothing comes from get what covers them as their only image. */
 static void
 find_covers(struct compare_match *match, const struct compare_side *before,
 	const struct compare_side *after, double eps)

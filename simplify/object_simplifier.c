@@ -120,6 +120,28 @@ report_level(const struct object_simplifier *simplifier,
 		object_text(in, in->features.at[0].id), TCS_NOWHERE, fault);
 }
 
+/* Per feature whether it hosts something that is simplified. */
+static enum tcs_status
+find_simplified_hosts(struct object_simplifier *simplifier,
+	const struct tcs_object *in, struct tcs_fault *fault)
+{
+	const struct selection *selection = &simplifier->source.selection;
+
+	array_clear(&simplifier->hosts);
+	if (array_grow(&simplifier->hosts, in->features.count))
+		return fault_memory(fault);
+	simplifier->hosts.count = in->features.count;
+	for (size_t i = 0; i < in->features.count; i++)
+		simplifier->hosts.at[i] = false;
+	for (size_t i = 0; i < in->geometries.count; i++)
+		if (selection->geometries.at[i])
+			simplifier->hosts
+				.at[selection->hosts.at[in->geometries.at[i]
+								.feature]] =
+				true;
+	return TCS_OK;
+}
+
 /* What is replaced is left out: by the level that takes its place. */
 static bool
 is_replaced(const struct object_simplifier *simplifier,
@@ -127,13 +149,14 @@ is_replaced(const struct object_simplifier *simplifier,
 	uint32_t geometry)
 {
 	const struct tcs_geometry *own = &in->geometries.at[geometry];
+	const struct selection *selection = &simplifier->source.selection;
+	bool host = simplifier->hosts.at[selection->hosts.at[own->feature]];
 
 	for (size_t i = 0; i < settings->level_count; i++)
 		if (settings->levels[i].lod == LOD_IN_PLACE
-				? simplifier->source.selection.geometries
-					  .at[geometry]
+				? selection->geometries.at[geometry]
 				: settings->levels[i].lod == own->lod &&
-					geometry_has_area(own))
+					geometry_has_area(own) && host)
 			return true;
 	return false;
 }
@@ -182,6 +205,8 @@ write_kept(struct object_simplifier *simplifier,
 	enum tcs_status status =
 		lod_write_begin(&simplifier->writer, in, fault);
 
+	if (!status)
+		status = find_simplified_hosts(simplifier, in, fault);
 	for (uint32_t i = 0; !status && i < in->geometries.count; i++)
 		if (!is_replaced(simplifier, settings, in, i))
 			status = lod_write_copy(&simplifier->writer, i, fault);
@@ -229,4 +254,5 @@ object_simplifier_release(struct object_simplifier *simplifier)
 	lod_write_release(&simplifier->writer);
 	openings_release(&simplifier->openings);
 	array_release(&simplifier->homes);
+	array_release(&simplifier->hosts);
 }

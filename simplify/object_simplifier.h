@@ -37,6 +37,7 @@ struct object_simplifier {
 	struct lod_writer writer;
 	struct openings openings;
 	TCS_ARRAY(uint32_t) homes; /* see lod_home.h */
+	TCS_ARRAY(bool) hosts; /* per feature: see selection */
 };
 
 /*

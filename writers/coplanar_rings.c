@@ -55,8 +55,8 @@ area_of(const struct coplanar *coplanar, const struct border *border,
 	return area;
 }
 
-/* A ring of these half-edges, from its lowest vertex on; its corners are told
- * by them for now. Two that run out and back on one edge are none. */
+/* A ring of these half-edges, from its lowest vertex on; its corners are
+ * half-edges until all rings are known. Two that run out and back on one edge are none. */
 static enum tcs_status
 add_ring(struct coplanar *coplanar, const struct border *border,
 	const uint32_t *halves, size_t count, struct tcs_fault *fault)
