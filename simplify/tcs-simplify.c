@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "crew.h"
+#include "instances.h"
 #include "number.h"
 #include "object_simplifier.h"
 #include "output.h"
@@ -12,6 +13,7 @@
 struct options {
 	struct simplify_settings settings;
 	double rate;
+	bool expand;
 	uint64_t max_record;
 };
 
@@ -25,6 +27,8 @@ struct item {
 struct run {
 	const struct command *command;
 	struct simplify_settings settings;
+	bool expand; /* prototypes are kept, and passed on otherwise */
+	struct prototypes prototypes;
 	FILE *in;
 	struct output out;
 	struct tcs_reader reader;
@@ -65,6 +69,8 @@ read_item(void *context, void *slot, bool *done, struct tcs_fault *fault)
 	*done = !status && run->reader.ended;
 	if (!status && item->record.type == TCS_HEAD)
 		status = take_head(run, &item->record, fault);
+	if (!status && item->record.type == TCS_PROTOTYPE && run->expand)
+		status = prototypes_add(&run->prototypes, &item->record, fault);
 	return status;
 }
 
@@ -79,6 +85,9 @@ simplify_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
 	if (item->record.type != TCS_OBJECT)
 		return TCS_OK;
 	status = object_decode(&item->object, &item->record, fault);
+	if (!status && run->expand)
+		status = instances_expand(&item->object, &run->prototypes,
+			&run->settings.crs, run->reader.max_record, fault);
 	if (!status)
 		status = simplify_object(&run->simplifiers[worker],
 			&run->settings, &item->object, &out, &item->report,
@@ -96,7 +105,7 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	enum tcs_status status =
 		report_merge(&run->report, &item->report, fault);
 
-	if (!status)
+	if (!status && !(run->expand && item->record.type == TCS_PROTOTYPE))
 		status = writer_put(&run->writer, &item->record, fault);
 	progress_show(&run->progress, run->writer.tally.objects, 0, 0);
 	return status;
@@ -110,6 +119,7 @@ open_run(struct run *run, const struct command *command,
 
 	run->command = command;
 	run->settings = options->settings;
+	run->expand = options->expand;
 	run->item_count = crew_slots(command->jobs);
 	run->items = calloc(run->item_count, sizeof *run->items);
 	run->simplifiers = calloc(command->jobs, sizeof *run->simplifiers);
@@ -173,6 +183,7 @@ close_run(struct run *run, const struct command *command)
 		object_simplifier_release(&run->simplifiers[i]);
 	free(run->items);
 	free(run->simplifiers);
+	prototypes_release(&run->prototypes);
 	reader_release(&run->reader);
 	writer_release(&run->writer);
 	report_release(&run->report);
@@ -260,6 +271,10 @@ main(int argc, char **argv)
 			"Level that is simplified (default: the highest of "
 			"each feature).",
 			&options.settings.source, 0, 0, parse_source},
+		{OPTION_FLAG, 0, "expand", NULL,
+			"Make placed prototypes geometry of the objects, and "
+			"simplify it with them.",
+			&options.expand, 0, 0, NULL},
 		{OPTION_NUMBER, 0, "a", "RATIO",
 			"How much dearer boundary vertices are (default: 2).",
 			&options.settings.base_ratio, 1, 1000, NULL},

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "crew.h"
-#include "gltf_prototypes.h"
 #include "gltf_shared.h"
+#include "prototypes.h"
 
 /* A record on its way through the crew. */
 struct item {

@@ -1,4 +1,4 @@
-#include "gltf_prototypes.h"
+#include "prototypes.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,8 +2,8 @@
  * The prototypes of a stream, kept for the instances behind them. One thread
  * adds while others look up what was added before: entries never move.
  */
-#ifndef TESSERA_GLTF_PROTOTYPES_H
-#define TESSERA_GLTF_PROTOTYPES_H
+#ifndef TESSERA_PROTOTYPES_H
+#define TESSERA_PROTOTYPES_H
 
 #include <stdint.h>
 
