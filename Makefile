@@ -205,7 +205,8 @@ suites: all $(tools) $(generators) $(node_modules)
 cases-accept: all $(generators)
 	@BUILD='$(abspath $(build))' tests/run-cases.sh --accept $(CASES)
 
-bench: all $(benches) $(generators) $(if $(filter lod,$(BENCH)),bench-peers)
+bench: all $(benches) $(generators) $(node_modules) \
+	$(if $(filter lod,$(BENCH)),bench-peers)
 	@BUILD='$(abspath $(build))' tests/bench/run.sh $(BENCH)
 
 bench-peers:
