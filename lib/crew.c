@@ -13,10 +13,15 @@
 /*
  * Item n lives in slot n % slot_count. Items read and not yet written are
  * those from next_write to next_read; `worked` tells, by slot, which of them
- * are ready for writing. Everything but `plan` is guarded by `lock`.
+ * are ready for writing. What stands behind `lock` is guarded by it.
  */
 struct crew {
 	const struct crew_plan *plan;
+	unsigned jobs;
+	size_t slot_count;
+	char *slots;
+	char *scratch; /* of the workers, by number */
+	struct worker *workers;
 	pthread_mutex_t lock;
 	pthread_cond_t changed;
 	bool *worked;
@@ -29,15 +34,9 @@ struct crew {
 
 struct worker {
 	struct crew *crew;
-	size_t number;
+	void *scratch;
 	pthread_t thread;
 };
-
-size_t
-crew_slots(unsigned jobs)
-{
-	return jobs > 1 ? (size_t)jobs * 3 : 1;
-}
 
 unsigned
 crew_processors(void)
@@ -54,10 +53,15 @@ crew_processors(void)
 static void *
 slot_of(const struct crew *crew, uint64_t item)
 {
-	const struct crew_plan *plan = crew->plan;
+	return crew->slots +
+		(size_t)(item % crew->slot_count) * crew->plan->slot_size;
+}
 
-	return (char *)plan->slots +
-		(size_t)(item % plan->slot_count) * plan->slot_size;
+static void *
+scratch_of(const struct crew *crew, unsigned worker)
+{
+	return crew->scratch ? crew->scratch + worker * crew->plan->worker_size
+			     : NULL;
 }
 
 /* Items from here on are not written. */
@@ -71,14 +75,14 @@ static bool
 can_read(const struct crew *crew)
 {
 	return !crew->reading && !crew->done && crew->failed == UINT64_MAX &&
-		crew->next_read - crew->next_write < crew->plan->slot_count;
+		crew->next_read - crew->next_write < crew->slot_count;
 }
 
 static bool
 can_write(const struct crew *crew)
 {
 	return !crew->writing && crew->next_write < write_limit(crew) &&
-		crew->worked[crew->next_write % crew->plan->slot_count];
+		crew->worked[crew->next_write % crew->slot_count];
 }
 
 static bool
@@ -124,7 +128,7 @@ read_item(struct crew *crew, uint64_t item, bool *done)
 }
 
 static void
-read_and_work(struct crew *crew, size_t worker)
+read_and_work(struct crew *crew, void *scratch)
 {
 	const struct crew_plan *plan = crew->plan;
 	uint64_t item = crew->next_read;
@@ -132,19 +136,19 @@ read_and_work(struct crew *crew, size_t worker)
 	enum tcs_status status = TCS_OK;
 	bool done = false;
 
-	crew->worked[item % plan->slot_count] = false;
+	crew->worked[item % crew->slot_count] = false;
 	if (read_item(crew, item, &done) || done)
 		return;
 	if (plan->work) {
 		pthread_mutex_unlock(&crew->lock);
 		status = plan->work(
-			plan->context, slot_of(crew, item), worker, &fault);
+			plan->context, slot_of(crew, item), scratch, &fault);
 		pthread_mutex_lock(&crew->lock);
 	}
 	if (status)
 		note_failure(crew, item, status, &fault);
 	else
-		crew->worked[item % plan->slot_count] = true;
+		crew->worked[item % crew->slot_count] = true;
 	pthread_cond_broadcast(&crew->changed);
 }
 
@@ -179,7 +183,7 @@ worker_run(void *argument)
 		if (can_write(crew))
 			write_item(crew);
 		else if (can_read(crew))
-			read_and_work(crew, worker->number);
+			read_and_work(crew, worker->scratch);
 		else
 			pthread_cond_wait(&crew->changed, &crew->lock);
 	}
@@ -189,14 +193,12 @@ worker_run(void *argument)
 
 /* The calling thread is worker 0; a crew short of threads is still a crew. */
 static enum tcs_status
-run_workers(struct crew *crew, struct worker *workers, unsigned jobs,
-	struct tcs_fault *fault)
+run_workers(struct crew *crew, struct tcs_fault *fault)
 {
+	struct worker *workers = crew->workers;
 	unsigned started = 1;
 
-	for (unsigned i = 0; i < jobs; i++)
-		workers[i] = (struct worker){.crew = crew, .number = i};
-	while (started < jobs) {
+	while (started < crew->jobs) {
 		int error = pthread_create(&workers[started].thread, NULL,
 			worker_run, &workers[started]);
 
@@ -216,28 +218,72 @@ run_workers(struct crew *crew, struct worker *workers, unsigned jobs,
 	return crew->status;
 }
 
+static enum tcs_status
+equip(struct crew *crew, struct tcs_fault *fault)
+{
+	const struct crew_plan *plan = crew->plan;
+	enum tcs_status status = TCS_OK;
+
+	crew->workers = calloc(crew->jobs, sizeof *crew->workers);
+	crew->worked = calloc(crew->slot_count, sizeof *crew->worked);
+	crew->slots = calloc(crew->slot_count, plan->slot_size);
+	if (plan->worker_size)
+		crew->scratch = calloc(crew->jobs, plan->worker_size);
+	if (!crew->workers || !crew->worked || !crew->slots ||
+		(plan->worker_size && !crew->scratch))
+		return fault_memory(fault);
+	for (unsigned i = 0; i < crew->jobs && !status; i++) {
+		crew->workers[i] = (struct worker){
+			.crew = crew, .scratch = scratch_of(crew, i)};
+		if (plan->worker_begin)
+			status = plan->worker_begin(
+				plan->context, scratch_of(crew, i), fault);
+	}
+	return status;
+}
+
+static void
+dismiss(struct crew *crew)
+{
+	const struct crew_plan *plan = crew->plan;
+
+	if (plan->slot_release && crew->slots)
+		for (size_t i = 0; i < crew->slot_count; i++)
+			plan->slot_release(slot_of(crew, i));
+	if (plan->worker_release && crew->scratch)
+		for (unsigned i = 0; i < crew->jobs; i++)
+			plan->worker_release(scratch_of(crew, i));
+	free(crew->slots);
+	free(crew->scratch);
+	free(crew->worked);
+	free(crew->workers);
+}
+
+/* Enough that an item that takes long does not hold up the others. */
+static size_t
+slots_for(unsigned jobs)
+{
+	return jobs > 1 ? (size_t)jobs * 3 : 1;
+}
+
 enum tcs_status
 crew_run(const struct crew_plan *plan, unsigned jobs, struct tcs_fault *fault)
 {
 	struct crew crew = {
 		.plan = plan,
+		.jobs = jobs,
+		.slot_count =
+			plan->slot_count ? plan->slot_count : slots_for(jobs),
 		.lock = PTHREAD_MUTEX_INITIALIZER,
 		.changed = PTHREAD_COND_INITIALIZER,
 		.failed = UINT64_MAX,
 	};
-	struct worker *workers = calloc(jobs, sizeof *workers);
-	enum tcs_status status;
+	enum tcs_status status = equip(&crew, fault);
 
-	crew.worked = calloc(plan->slot_count, sizeof *crew.worked);
-	if (!workers || !crew.worked) {
-		free(workers);
-		free(crew.worked);
-		return fault_memory(fault);
-	}
-	status = run_workers(&crew, workers, jobs, fault);
+	if (!status)
+		status = run_workers(&crew, fault);
+	dismiss(&crew);
 	pthread_cond_destroy(&crew.changed);
 	pthread_mutex_destroy(&crew.lock);
-	free(workers);
-	free(crew.worked);
 	return status;
 }

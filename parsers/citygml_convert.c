@@ -56,9 +56,6 @@ struct convert {
 	struct raw_library library;
 	TCS_ARRAY(uint64_t) deferred; /* numbers of the objects that wait */
 	size_t next_deferred;
-	struct builder *builders; /* one per job */
-	struct batch *batches;
-	size_t batch_count;
 	enum convert_phase phase;
 	struct place_log places; /* of the objects of the first phase */
 	struct tcs_record head; /* made with the first object read */
@@ -271,7 +268,7 @@ slot_work(struct convert *convert, struct slot *slot, struct builder *builder,
 
 /* A failure waits until the objects before have been written. */
 static enum tcs_status
-convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
+convert_work(void *context, void *item, void *worker, struct tcs_fault *fault)
 {
 	struct convert *convert = context;
 	struct batch *batch = item;
@@ -280,8 +277,7 @@ convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
 	for (size_t i = 0; i < batch->count; i++) {
 		struct slot *slot = &batch->slots[i];
 
-		slot->status = slot_work(convert, slot,
-			&convert->builders[worker], &slot->fault);
+		slot->status = slot_work(convert, slot, worker, &slot->fault);
 		if (slot->status)
 			break;
 	}
@@ -360,6 +356,46 @@ convert_write(void *context, void *item, struct tcs_fault *fault)
 	return status;
 }
 
+/* ---- the crew ------------------------------------------------------------------------- */
+
+static void
+slot_release(struct slot *slot)
+{
+	raw_free(slot->raw);
+	record_release(&slot->record);
+	record_release(&slot->palette);
+	object_release(&slot->prototype);
+	report_release(&slot->templates);
+	for (size_t i = 0; i < slot->prototypes.count; i++)
+		record_release(&slot->prototypes.at[i]);
+	array_release(&slot->prototypes);
+	slot_forget(slot);
+	array_release(&slot->missing);
+	array_release(&slot->hashes);
+}
+
+static void
+release_batch(void *item)
+{
+	struct batch *batch = item;
+
+	for (size_t i = 0; i < BATCH; i++)
+		slot_release(&batch->slots[i]);
+}
+
+static enum tcs_status
+begin_builder(void *context, void *worker, struct tcs_fault *fault)
+{
+	(void)context;
+	return builder_init(worker, fault);
+}
+
+static void
+release_builder(void *worker)
+{
+	builder_release(worker);
+}
+
 /* ---- the passes ----------------------------------------------------------------------- */
 
 static enum tcs_status
@@ -411,12 +447,14 @@ run_phase(struct convert *convert, enum convert_phase phase,
 {
 	const struct crew_plan plan = {
 		.context = convert,
-		.slots = convert->batches,
-		.slot_size = sizeof *convert->batches,
-		.slot_count = convert->batch_count,
+		.slot_size = sizeof(struct batch),
+		.worker_size = sizeof(struct builder),
 		.read = convert_read,
 		.work = convert_work,
 		.write = convert_write,
+		.worker_begin = begin_builder,
+		.worker_release = release_builder,
+		.slot_release = release_batch,
 	};
 	enum tcs_status status =
 		document_start(&convert->document, PASS_OBJECTS, parts, fault);
@@ -515,55 +553,19 @@ run_all(struct convert *convert, struct tcs_fault *fault)
 static enum tcs_status
 convert_begin(struct convert *convert, FILE *file, struct tcs_fault *fault)
 {
-	unsigned jobs = convert->command->jobs;
-	enum tcs_status status;
-
 	writer_init(&convert->writer, file,
 		convert->options->compress ? COMPRESSION_LEVEL : 0);
 	progress_begin(&convert->progress, convert->command->program->name,
 		"objects", convert->command->quiet);
 	convert->plan.lods = convert->options->lods;
-	convert->batch_count = crew_slots(jobs);
-	convert->batches =
-		calloc(convert->batch_count, sizeof *convert->batches);
-	convert->builders = calloc(jobs, sizeof *convert->builders);
-	status = gml_begin(
+	return gml_begin(
 		&convert->document.reader, &convert->options->reading, fault);
-	if (!status && (!convert->batches || !convert->builders))
-		status = fault_memory(fault);
-	for (unsigned i = 0; !status && i < jobs; i++)
-		status = builder_init(&convert->builders[i], fault);
-	return status;
-}
-
-static void
-slot_release(struct slot *slot)
-{
-	raw_free(slot->raw);
-	record_release(&slot->record);
-	record_release(&slot->palette);
-	object_release(&slot->prototype);
-	report_release(&slot->templates);
-	for (size_t i = 0; i < slot->prototypes.count; i++)
-		record_release(&slot->prototypes.at[i]);
-	array_release(&slot->prototypes);
-	slot_forget(slot);
-	array_release(&slot->missing);
-	array_release(&slot->hashes);
 }
 
 static void
 convert_end(struct convert *convert)
 {
 	progress_end(&convert->progress);
-	for (size_t i = 0; convert->batches && i < convert->batch_count; i++)
-		for (size_t k = 0; k < BATCH; k++)
-			slot_release(&convert->batches[i].slots[k]);
-	free(convert->batches);
-	for (unsigned i = 0; convert->builders && i < convert->command->jobs;
-		i++)
-		builder_release(&convert->builders[i]);
-	free(convert->builders);
 	gml_release(&convert->document.reader);
 	places_release(&convert->places);
 	library_release(&convert->library);

@@ -33,10 +33,8 @@ struct convert {
 	struct ifc_model model;
 	struct ifc_georeference place;
 	struct tcs_writer writer;
-	struct ifc_worker *workers; /* one per job */
-	struct slot *slots;
-	size_t slot_count;
 	struct ifc_prototypes prototypes;
+	const struct ifc_prototypes *made; /* these, once they are written */
 	uint32_t next_prototype; /* to be read */
 	uint32_t next_object, next_member; /* the same */
 	struct tcs_object object; /* being put together */
@@ -75,7 +73,7 @@ convert_read(void *context, void *item, bool *done, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
+convert_work(void *context, void *item, void *worker, struct tcs_fault *fault)
 {
 	struct convert *convert = context;
 	const struct ifc_model *model = &convert->model;
@@ -92,8 +90,8 @@ convert_work(void *context, void *item, size_t worker, struct tcs_fault *fault)
 		status = ifc_features_write(model, object, &slot->piece, fault);
 	for (uint32_t i = slot->first; i < slot->first + slot->count && !status;
 		i++)
-		status = ifc_product_shape(convert->workers + worker,
-			members[i].node, i, &slot->piece, &slot->report, fault);
+		status = ifc_product_shape(worker, members[i].node, i,
+			&slot->piece, &slot->report, fault);
 	if (!status && slot->begins && slot->ends)
 		status = object_encode(
 			&slot->piece, TCS_OBJECT, &slot->record, fault);
@@ -140,6 +138,35 @@ convert_write(void *context, void *item, struct tcs_fault *fault)
 	return status ? status : writer_put(&convert->writer, record, fault);
 }
 
+/* ---- what the crew has ---------------------------------------------------- */
+
+static enum tcs_status
+worker_begin(void *context, void *worker, struct tcs_fault *fault)
+{
+	struct convert *convert = context;
+	enum tcs_status status = ifc_worker_begin(worker, &convert->model,
+		&convert->place.world, convert->options->deflection, fault);
+
+	((struct ifc_worker *)worker)->prototypes = convert->made;
+	return status;
+}
+
+static void
+worker_release(void *worker)
+{
+	ifc_worker_end(worker);
+}
+
+static void
+slot_release(void *item)
+{
+	struct slot *slot = item;
+
+	object_release(&slot->piece);
+	record_release(&slot->record);
+	report_release(&slot->report);
+}
+
 /* ---- the crew on prototypes ---------------------------------------------- */
 
 static enum tcs_status
@@ -157,8 +184,7 @@ prototype_read(void *context, void *item, bool *done, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-prototype_work(
-	void *context, void *item, size_t worker, struct tcs_fault *fault)
+prototype_work(void *context, void *item, void *worker, struct tcs_fault *fault)
 {
 	struct convert *convert = context;
 	struct slot *slot = item;
@@ -166,7 +192,7 @@ prototype_work(
 
 	object_clear(&slot->piece);
 	report_clear(&slot->report);
-	status = ifc_prototype_shape(convert->workers + worker,
+	status = ifc_prototype_shape(worker,
 		convert->prototypes.at + slot->prototype, &slot->piece,
 		&slot->whole, &slot->report, fault);
 	slot->whole = slot->whole && slot->piece.polygons.count;
@@ -195,13 +221,17 @@ prototype_write(void *context, void *item, struct tcs_fault *fault)
 static enum tcs_status
 prototypes_write(struct convert *convert, struct tcs_fault *fault)
 {
-	struct crew_plan plan = {.context = convert,
-		.slots = convert->slots,
-		.slot_size = sizeof *convert->slots,
-		.slot_count = convert->slot_count,
+	const struct crew_plan plan = {
+		.context = convert,
+		.slot_size = sizeof(struct slot),
+		.worker_size = sizeof(struct ifc_worker),
 		.read = prototype_read,
 		.work = prototype_work,
-		.write = prototype_write};
+		.write = prototype_write,
+		.worker_begin = worker_begin,
+		.worker_release = worker_release,
+		.slot_release = slot_release,
+	};
 	enum tcs_status status;
 
 	if (convert->options->bake)
@@ -210,8 +240,7 @@ prototypes_write(struct convert *convert, struct tcs_fault *fault)
 		&convert->model, &convert->prototypes, fault);
 	if (!status)
 		status = crew_run(&plan, convert->command->jobs, fault);
-	for (unsigned i = 0; i < convert->command->jobs; i++)
-		convert->workers[i].prototypes = &convert->prototypes;
+	convert->made = &convert->prototypes;
 	return status;
 }
 
@@ -240,31 +269,19 @@ head_write(struct convert *convert, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-crew_begin(struct convert *convert, struct tcs_fault *fault)
-{
-	unsigned jobs = convert->command->jobs;
-	enum tcs_status status = TCS_OK;
-
-	convert->slot_count = crew_slots(jobs);
-	convert->slots = calloc(convert->slot_count, sizeof *convert->slots);
-	convert->workers = calloc(jobs, sizeof *convert->workers);
-	if (!convert->slots || !convert->workers)
-		return fault_memory(fault);
-	for (unsigned i = 0; i < jobs && !status; i++)
-		status = ifc_worker_begin(convert->workers + i, &convert->model,
-			&convert->place.world, convert->options->deflection,
-			fault);
-	return status;
-}
-
-static enum tcs_status
 run(struct convert *convert, struct input *input, struct tcs_fault *fault)
 {
-	struct crew_plan plan = {.context = convert,
-		.slot_size = sizeof *convert->slots,
+	const struct crew_plan plan = {
+		.context = convert,
+		.slot_size = sizeof(struct slot),
+		.worker_size = sizeof(struct ifc_worker),
 		.read = convert_read,
 		.work = convert_work,
-		.write = convert_write};
+		.write = convert_write,
+		.worker_begin = worker_begin,
+		.worker_release = worker_release,
+		.slot_release = slot_release,
+	};
 	enum tcs_status status;
 
 	status = step_load(
@@ -279,11 +296,7 @@ run(struct convert *convert, struct input *input, struct tcs_fault *fault)
 		convert->options->local, &convert->place);
 	status = head_write(convert, fault);
 	if (!status)
-		status = crew_begin(convert, fault);
-	if (!status)
 		status = prototypes_write(convert, fault);
-	plan.slots = convert->slots;
-	plan.slot_count = convert->slot_count;
 	if (!status)
 		status = crew_run(&plan, convert->command->jobs, fault);
 	if (!status && convert->command->strict)
@@ -322,16 +335,6 @@ static void
 convert_end(struct convert *convert)
 {
 	progress_end(&convert->progress);
-	for (size_t i = 0; convert->slots && i < convert->slot_count; i++) {
-		object_release(&convert->slots[i].piece);
-		record_release(&convert->slots[i].record);
-		report_release(&convert->slots[i].report);
-	}
-	free(convert->slots);
-	for (unsigned i = 0; convert->workers && i < convert->command->jobs;
-		i++)
-		ifc_worker_end(convert->workers + i);
-	free(convert->workers);
 	object_release(&convert->object);
 	record_release(&convert->record);
 	writer_release(&convert->writer);

@@ -1,6 +1,5 @@
 /* json2tcs: lines of JSON, as tcs2json prints them, as a component stream. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "crew.h"
@@ -29,10 +28,7 @@ struct run {
 	struct line_reader lines;
 	struct output out;
 	struct tcs_writer writer;
-	struct json_builder *builders; /* one per job */
 	struct json_builder checked; /* what the writer decodes to check it */
-	struct item *items;
-	size_t item_count;
 	bool ended;
 };
 
@@ -65,14 +61,13 @@ read_item(void *context, void *slot, bool *done, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-build_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
+build_item(void *context, void *slot, void *worker, struct tcs_fault *fault)
 {
-	struct run *run = context;
 	struct item *item = slot;
 
-	return json_build_line(&run->builders[worker], item->line.at,
-		item->line.count, item->number, &item->record, &item->claimed,
-		fault);
+	(void)context;
+	return json_build_line(worker, item->line.at, item->line.count,
+		item->number, &item->record, &item->claimed, fault);
 }
 
 /* Whoever reads the stream will check it; better to say now what is wrong. */
@@ -128,19 +123,28 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	return status == TCS_BAD_INPUT ? blame_line(fault, item) : status;
 }
 
+static void
+release_item(void *slot)
+{
+	struct item *item = slot;
+
+	array_release(&item->line);
+	record_release(&item->record);
+}
+
+static void
+release_builder(void *worker)
+{
+	json_builder_release(worker);
+}
+
 static enum tcs_status
 open_run(struct run *run, const struct command *command,
 	const struct wishes *wishes, struct tcs_fault *fault)
 {
-	enum tcs_status status;
+	enum tcs_status status = input_open(&run->in, command->input, fault);
 
 	run->command = command;
-	run->item_count = crew_slots(command->jobs);
-	run->items = calloc(run->item_count, sizeof *run->items);
-	run->builders = calloc(command->jobs, sizeof *run->builders);
-	if (!run->items || !run->builders)
-		return fault_memory(fault);
-	status = input_open(&run->in, command->input, fault);
 	if (status)
 		return status;
 	run->lines.input = &run->in;
@@ -158,14 +162,15 @@ convert(struct run *run, const struct command *command,
 	const struct wishes *wishes, struct tcs_fault *fault)
 {
 	enum tcs_status status = open_run(run, command, wishes, fault);
-	struct crew_plan plan = {
+	const struct crew_plan plan = {
 		.context = run,
-		.slots = run->items,
-		.slot_size = sizeof *run->items,
-		.slot_count = run->item_count,
+		.slot_size = sizeof(struct item),
+		.worker_size = sizeof(struct json_builder),
 		.read = read_item,
 		.work = build_item,
 		.write = write_item,
+		.worker_release = release_builder,
+		.slot_release = release_item,
 	};
 
 	if (!status)
@@ -181,17 +186,9 @@ convert(struct run *run, const struct command *command,
 }
 
 static void
-close_run(struct run *run, const struct command *command)
+close_run(struct run *run)
 {
-	for (size_t i = 0; run->items && i < run->item_count; i++) {
-		array_release(&run->items[i].line);
-		record_release(&run->items[i].record);
-	}
-	for (size_t i = 0; run->builders && i < command->jobs; i++)
-		json_builder_release(&run->builders[i]);
 	json_builder_release(&run->checked);
-	free(run->items);
-	free(run->builders);
 	writer_release(&run->writer);
 	lines_release(&run->lines);
 	input_close(&run->in);
@@ -250,7 +247,7 @@ main(int argc, char **argv)
 		status = write_stats(&command, &run.writer.tally, &fault);
 	if (status)
 		code = program_fail(&command, &fault);
-	close_run(&run, &command);
+	close_run(&run);
 	program_end(&command);
 	return code;
 }

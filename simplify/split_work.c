@@ -1,7 +1,5 @@
 #include "split_work.h"
 
-#include <stdlib.h>
-
 #include "crew.h"
 
 struct split {
@@ -23,7 +21,7 @@ take_piece(void *context, void *slot, bool *done, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-work_on_piece(void *context, void *slot, size_t worker, struct tcs_fault *fault)
+work_on_piece(void *context, void *slot, void *worker, struct tcs_fault *fault)
 {
 	const struct split *split = context;
 	const size_t *piece = slot;
@@ -52,22 +50,13 @@ split_work(size_t count, size_t size, unsigned jobs, split_piece *work,
 {
 	struct split split = {count, size, 0, work, context};
 	unsigned threads = count > size ? jobs : 1;
-	size_t slot_count = crew_slots(threads);
-	size_t *slots = calloc(slot_count, sizeof *slots);
-	struct crew_plan plan = {
+	const struct crew_plan plan = {
 		.context = &split,
-		.slots = slots,
-		.slot_size = sizeof *slots,
-		.slot_count = slot_count,
+		.slot_size = sizeof(size_t),
 		.read = take_piece,
 		.work = work_on_piece,
 		.write = leave_piece,
 	};
-	enum tcs_status status;
 
-	if (!slots)
-		return fault_memory(fault);
-	status = crew_run(&plan, threads ? threads : 1, fault);
-	free(slots);
-	return status;
+	return crew_run(&plan, threads ? threads : 1, fault);
 }

@@ -1,6 +1,4 @@
 /* tcs-compare: how one stream differs from another, or one LOD from another. */
-#include <stdlib.h>
-
 #include "compare_html.h"
 #include "compare_pairs.h"
 #include "compare_print.h"
@@ -27,9 +25,6 @@ struct run {
 	struct compare_settings settings;
 	struct pair_reader pairs;
 	struct output out;
-	struct comparer *comparers; /* one per job */
-	struct item *items;
-	size_t item_count;
 	struct compare_totals totals;
 	struct gallery gallery;
 	struct progress progress;
@@ -56,7 +51,7 @@ read_item(void *context, void *slot, bool *done, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-compare_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
+compare_item(void *context, void *slot, void *worker, struct tcs_fault *fault)
 {
 	struct run *run = context;
 	struct item *item = slot;
@@ -67,8 +62,8 @@ compare_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
 			pair[i] =
 				(struct compared_object){&item->pair[i]->object,
 					item->pair[i]->placed.at};
-	return compare_objects(&run->comparers[worker], &run->settings, pair,
-		&item->result, fault);
+	return compare_objects(
+		worker, &run->settings, pair, &item->result, fault);
 }
 
 static enum tcs_status
@@ -113,6 +108,21 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	return status;
 }
 
+static void
+release_item(void *slot)
+{
+	struct item *item = slot;
+
+	clear_item(item);
+	compare_result_release(&item->result);
+}
+
+static void
+release_comparer(void *worker)
+{
+	comparer_release(worker);
+}
+
 /* Metres of the one must be metres of the other. */
 static enum tcs_status
 take_systems(struct run *run, struct tcs_fault *fault)
@@ -137,11 +147,6 @@ open_run(struct run *run, const struct command *command,
 	run->settings = options->settings;
 	run->settings.jobs = command->jobs;
 	run->settings.pictures = options->html;
-	run->item_count = crew_slots(command->jobs);
-	run->items = calloc(run->item_count, sizeof *run->items);
-	run->comparers = calloc(command->jobs, sizeof *run->comparers);
-	if (!run->items || !run->comparers)
-		return fault_memory(fault);
 	status = pairs_open(&run->pairs, names, options->max_record, fault);
 	if (!status)
 		status = take_systems(run, fault);
@@ -155,14 +160,15 @@ compare(struct run *run, const struct command *command,
 	const struct options *options, struct tcs_fault *fault)
 {
 	enum tcs_status status = open_run(run, command, options, fault);
-	struct crew_plan plan = {
+	const struct crew_plan plan = {
 		.context = run,
-		.slots = run->items,
-		.slot_size = sizeof *run->items,
-		.slot_count = run->item_count,
+		.slot_size = sizeof(struct item),
+		.worker_size = sizeof(struct comparer),
 		.read = read_item,
 		.work = compare_item,
 		.write = write_item,
+		.worker_release = release_comparer,
+		.slot_release = release_item,
 	};
 
 	if (status)
@@ -190,16 +196,8 @@ compare(struct run *run, const struct command *command,
 }
 
 static void
-close_run(struct run *run, const struct command *command)
+close_run(struct run *run)
 {
-	for (size_t i = 0; run->items && i < run->item_count; i++) {
-		clear_item(&run->items[i]);
-		compare_result_release(&run->items[i].result);
-	}
-	for (size_t i = 0; run->comparers && i < command->jobs; i++)
-		comparer_release(&run->comparers[i]);
-	free(run->items);
-	free(run->comparers);
 	gallery_release(&run->gallery);
 	pairs_close(&run->pairs);
 }
@@ -246,7 +244,7 @@ run_command(const struct command *command, const struct options *options)
 	if (compare(&run, command, options, &fault) ||
 		report_totals(command, &run.totals, &fault))
 		code = program_fail(command, &fault);
-	close_run(&run, command);
+	close_run(&run);
 	return code;
 }
 

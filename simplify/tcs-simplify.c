@@ -33,9 +33,6 @@ struct run {
 	struct output out;
 	struct tcs_reader reader;
 	struct tcs_writer writer;
-	struct object_simplifier *simplifiers; /* one per job */
-	struct item *items;
-	size_t item_count;
 	struct report report;
 	struct progress progress;
 };
@@ -75,7 +72,7 @@ read_item(void *context, void *slot, bool *done, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-simplify_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
+simplify_item(void *context, void *slot, void *worker, struct tcs_fault *fault)
 {
 	struct run *run = context;
 	struct item *item = slot;
@@ -89,9 +86,8 @@ simplify_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
 		status = instances_expand(&item->object, &run->prototypes,
 			&run->settings.crs, run->reader.max_record, fault);
 	if (!status)
-		status = simplify_object(&run->simplifiers[worker],
-			&run->settings, &item->object, &out, &item->report,
-			fault);
+		status = simplify_object(worker, &run->settings, &item->object,
+			&out, &item->report, fault);
 	if (!status)
 		status = object_encode(out, TCS_OBJECT, &item->record, fault);
 	return status;
@@ -111,6 +107,22 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	return status;
 }
 
+static void
+release_item(void *slot)
+{
+	struct item *item = slot;
+
+	record_release(&item->record);
+	object_release(&item->object);
+	report_release(&item->report);
+}
+
+static void
+release_simplifier(void *worker)
+{
+	object_simplifier_release(worker);
+}
+
 static enum tcs_status
 open_run(struct run *run, const struct command *command,
 	const struct options *options, struct tcs_fault *fault)
@@ -120,11 +132,6 @@ open_run(struct run *run, const struct command *command,
 	run->command = command;
 	run->settings = options->settings;
 	run->expand = options->expand;
-	run->item_count = crew_slots(command->jobs);
-	run->items = calloc(run->item_count, sizeof *run->items);
-	run->simplifiers = calloc(command->jobs, sizeof *run->simplifiers);
-	if (!run->items || !run->simplifiers)
-		return fault_memory(fault);
 	run->in = command->input ? fopen(command->input, "rb") : stdin;
 	if (!run->in)
 		return fault_system(fault, "cannot open", command->input);
@@ -141,14 +148,15 @@ convert(struct run *run, const struct command *command,
 	const struct options *options, struct tcs_fault *fault)
 {
 	enum tcs_status status = open_run(run, command, options, fault);
-	struct crew_plan plan = {
+	const struct crew_plan plan = {
 		.context = run,
-		.slots = run->items,
-		.slot_size = sizeof *run->items,
-		.slot_count = run->item_count,
+		.slot_size = sizeof(struct item),
+		.worker_size = sizeof(struct object_simplifier),
 		.read = read_item,
 		.work = simplify_item,
 		.write = write_item,
+		.worker_release = release_simplifier,
+		.slot_release = release_item,
 	};
 
 	if (status)
@@ -172,17 +180,8 @@ convert(struct run *run, const struct command *command,
 }
 
 static void
-close_run(struct run *run, const struct command *command)
+close_run(struct run *run)
 {
-	for (size_t i = 0; run->items && i < run->item_count; i++) {
-		record_release(&run->items[i].record);
-		object_release(&run->items[i].object);
-		report_release(&run->items[i].report);
-	}
-	for (size_t i = 0; run->simplifiers && i < command->jobs; i++)
-		object_simplifier_release(&run->simplifiers[i]);
-	free(run->items);
-	free(run->simplifiers);
 	prototypes_release(&run->prototypes);
 	reader_release(&run->reader);
 	writer_release(&run->writer);
@@ -301,7 +300,7 @@ main(int argc, char **argv)
 		code = program_fail(&command, &fault);
 	else if (!command.quiet)
 		report_print(&run.report, program.name, stderr);
-	close_run(&run, &command);
+	close_run(&run);
 	program_end(&command);
 	return code;
 }

@@ -1,7 +1,6 @@
 #include "gltf_stream.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "crew.h"
 #include "gltf_shared.h"
@@ -24,7 +23,7 @@ struct passage {
 	struct city *city;
 	struct report *report;
 	struct progress *progress;
-	struct converter *converters; /* one per worker, one for prototypes */
+	struct converter sharing; /* of prototypes, as they are written */
 	struct mesh shared; /* scratch: a prototype */
 	bool has_origin;
 	uint64_t objects; /* added */
@@ -130,7 +129,7 @@ get_prototype(const void *context, uint32_t number)
 }
 
 static enum tcs_status
-work_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
+work_item(void *context, void *slot, void *worker, struct tcs_fault *fault)
 {
 	struct passage *passage = context;
 	struct item *item = slot;
@@ -144,9 +143,8 @@ work_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
 	status = decode_item(item, fault);
 	return status
 		? status
-		: convert_object(passage->converters + worker,
-			  &passage->settings.convert, &source, &item->object,
-			  &item->mesh, &item->report, fault);
+		: convert_object(worker, &passage->settings.convert, &source,
+			  &item->object, &item->mesh, &item->report, fault);
 }
 
 /* ---- writing --------------------------------------------------------- */
@@ -180,7 +178,7 @@ share_prototype(struct passage *passage, const struct mesh_instance *instance,
 
 	if (shared_is_there(passage->city, instance))
 		return TCS_OK;
-	status = convert_prototype(passage->converters + passage->settings.jobs,
+	status = convert_prototype(&passage->sharing,
 		&passage->settings.convert, prototype, instance->class,
 		&passage->shared, report, fault);
 	snprintf(room, sizeof room, "prototype#%u", instance->prototype);
@@ -238,38 +236,21 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 
 /* ---- the whole ------------------------------------------------------- */
 
-static enum tcs_status
-run_crew(struct passage *passage, struct tcs_fault *fault)
+static void
+release_item(void *slot)
 {
-	unsigned jobs = passage->settings.jobs;
-	struct crew_plan plan = {
-		.context = passage,
-		.slot_size = sizeof(struct item),
-		.slot_count = crew_slots(jobs),
-		.read = read_item,
-		.work = work_item,
-		.write = write_item,
-	};
-	struct item *items = calloc(plan.slot_count, sizeof *items);
-	enum tcs_status status;
+	struct item *item = slot;
 
-	passage->converters =
-		calloc((size_t)jobs + 1, sizeof *passage->converters);
-	plan.slots = items;
-	status = items && passage->converters ? crew_run(&plan, jobs, fault)
-					      : fault_memory(fault);
-	for (size_t i = 0; items && i < plan.slot_count; i++) {
-		object_release(&items[i].object);
-		record_release(&items[i].record);
-		mesh_release(&items[i].mesh);
-		report_release(&items[i].report);
-	}
-	for (unsigned i = 0; passage->converters && i <= jobs; i++)
-		converter_release(passage->converters + i);
-	mesh_release(&passage->shared);
-	free(items);
-	free(passage->converters);
-	return status;
+	object_release(&item->object);
+	record_release(&item->record);
+	mesh_release(&item->mesh);
+	report_release(&item->report);
+}
+
+static void
+release_converter(void *worker)
+{
+	converter_release(worker);
 }
 
 enum tcs_status
@@ -284,11 +265,23 @@ stream_to_city(FILE *file, const struct stream_settings *settings,
 		.report = report,
 		.progress = progress,
 	};
+	const struct crew_plan plan = {
+		.context = &passage,
+		.slot_size = sizeof(struct item),
+		.worker_size = sizeof(struct converter),
+		.read = read_item,
+		.work = work_item,
+		.write = write_item,
+		.worker_release = release_converter,
+		.slot_release = release_item,
+	};
 	enum tcs_status status;
 
 	reader_init(&passage.reader, file);
 	passage.reader.max_record = settings->max_record;
-	status = run_crew(&passage, fault);
+	status = crew_run(&plan, settings->jobs, fault);
+	converter_release(&passage.sharing);
+	mesh_release(&passage.shared);
 	prototypes_release(&passage.prototypes);
 	reader_release(&passage.reader);
 	return status;

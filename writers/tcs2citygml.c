@@ -1,5 +1,4 @@
 /* tcs2citygml: a component stream as CityGML. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "citygml_document.h"
@@ -32,9 +31,6 @@ struct run {
 	struct tcs_palette more; /* a palette record decoded */
 	struct compose_plan plan;
 	struct document document;
-	struct composer *composers; /* one per job */
-	struct passing *items;
-	size_t item_count;
 };
 
 static const char *
@@ -80,11 +76,11 @@ read_item(void *context, void *slot, bool *done, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-compose_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
+compose_item(void *context, void *slot, void *worker, struct tcs_fault *fault)
 {
 	struct run *run = context;
 	struct passing *item = slot;
-	struct composer *composer = &run->composers[worker];
+	struct composer *composer = worker;
 
 	composer->plan = &run->plan;
 	switch (item->record.type) {
@@ -120,6 +116,21 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	}
 }
 
+static void
+release_item(void *slot)
+{
+	struct passing *item = slot;
+
+	record_release(&item->record);
+	composed_release(&item->composed);
+}
+
+static void
+release_composer(void *worker)
+{
+	composer_release(worker);
+}
+
 static enum tcs_status
 read_head(
 	struct run *run, const struct options *options, struct tcs_fault *fault)
@@ -148,11 +159,7 @@ static enum tcs_status
 open_run(struct run *run, const struct command *command,
 	const struct options *options, struct tcs_fault *fault)
 {
-	run->item_count = crew_slots(command->jobs);
-	run->items = calloc(run->item_count, sizeof *run->items);
-	run->composers = calloc(command->jobs, sizeof *run->composers);
-	if (!run->items || !run->composers ||
-		pthread_rwlock_init(&run->palette.lock, NULL))
+	if (pthread_rwlock_init(&run->palette.lock, NULL))
 		return fault_memory(fault);
 	run->in = command->input ? fopen(command->input, "rb") : stdin;
 	if (!run->in)
@@ -197,14 +204,15 @@ convert(struct run *run, const struct command *command,
 	const struct options *options, struct tcs_fault *fault)
 {
 	enum tcs_status status = open_run(run, command, options, fault);
-	struct crew_plan plan = {
+	const struct crew_plan plan = {
 		.context = run,
-		.slots = run->items,
-		.slot_size = sizeof *run->items,
-		.slot_count = run->item_count,
+		.slot_size = sizeof(struct passing),
+		.worker_size = sizeof(struct composer),
 		.read = read_item,
 		.work = compose_item,
 		.write = write_item,
+		.worker_release = release_composer,
+		.slot_release = release_item,
 	};
 
 	if (!status)
@@ -215,16 +223,8 @@ convert(struct run *run, const struct command *command,
 }
 
 static void
-close_run(struct run *run, const struct command *command)
+close_run(struct run *run)
 {
-	for (size_t i = 0; run->items && i < run->item_count; i++) {
-		record_release(&run->items[i].record);
-		composed_release(&run->items[i].composed);
-	}
-	for (size_t i = 0; run->composers && i < command->jobs; i++)
-		composer_release(&run->composers[i]);
-	free(run->items);
-	free(run->composers);
 	document_release(&run->document);
 	schema_release(&run->plan.schema);
 	head_release(&run->head);
@@ -305,7 +305,7 @@ main(int argc, char **argv)
 		status = tell(&run, &command, &fault);
 	if (status)
 		code = program_fail(&command, &fault);
-	close_run(&run, &command);
+	close_run(&run);
 	program_end(&command);
 	return code;
 }

@@ -1,6 +1,4 @@
 /* tcs2json: a component stream as lines of JSON. */
-#include <stdlib.h>
-
 #include "crew.h"
 #include "json_record.h"
 #include "output.h"
@@ -19,9 +17,6 @@ struct run {
 	FILE *in;
 	struct output out;
 	struct tcs_reader reader;
-	struct json_decoder *decoders; /* one per job */
-	struct item *items;
-	size_t item_count;
 };
 
 static enum tcs_status
@@ -35,14 +30,13 @@ read_item(void *context, void *slot, bool *done, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-print_item(void *context, void *slot, size_t worker, struct tcs_fault *fault)
+print_item(void *context, void *slot, void *worker, struct tcs_fault *fault)
 {
-	struct run *run = context;
 	struct item *item = slot;
 
+	(void)context;
 	json_text_clear(&item->json);
-	return print_record(
-		&item->json, &run->decoders[worker], &item->record, fault);
+	return print_record(&item->json, worker, &item->record, fault);
 }
 
 static enum tcs_status
@@ -58,15 +52,25 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	return TCS_OK;
 }
 
+static void
+release_item(void *slot)
+{
+	struct item *item = slot;
+
+	record_release(&item->record);
+	json_text_release(&item->json);
+}
+
+static void
+release_decoder(void *worker)
+{
+	json_decoder_release(worker);
+}
+
 static enum tcs_status
 open_run(struct run *run, const struct command *command, uint64_t max_record,
 	struct tcs_fault *fault)
 {
-	run->item_count = crew_slots(command->jobs);
-	run->items = calloc(run->item_count, sizeof *run->items);
-	run->decoders = calloc(command->jobs, sizeof *run->decoders);
-	if (!run->items || !run->decoders)
-		return fault_memory(fault);
 	run->in = command->input ? fopen(command->input, "rb") : stdin;
 	if (!run->in)
 		return fault_system(fault, "cannot open", command->input);
@@ -80,14 +84,15 @@ convert(struct run *run, const struct command *command, uint64_t max_record,
 	struct tcs_fault *fault)
 {
 	enum tcs_status status = open_run(run, command, max_record, fault);
-	struct crew_plan plan = {
+	const struct crew_plan plan = {
 		.context = run,
-		.slots = run->items,
-		.slot_size = sizeof *run->items,
-		.slot_count = run->item_count,
+		.slot_size = sizeof(struct item),
+		.worker_size = sizeof(struct json_decoder),
 		.read = read_item,
 		.work = print_item,
 		.write = write_item,
+		.worker_release = release_decoder,
+		.slot_release = release_item,
 	};
 
 	if (!status)
@@ -100,16 +105,8 @@ convert(struct run *run, const struct command *command, uint64_t max_record,
 }
 
 static void
-close_run(struct run *run, const struct command *command)
+close_run(struct run *run)
 {
-	for (size_t i = 0; run->items && i < run->item_count; i++) {
-		record_release(&run->items[i].record);
-		json_text_release(&run->items[i].json);
-	}
-	for (size_t i = 0; run->decoders && i < command->jobs; i++)
-		json_decoder_release(&run->decoders[i]);
-	free(run->items);
-	free(run->decoders);
 	reader_release(&run->reader);
 	if (run->in && run->in != stdin)
 		fclose(run->in);
@@ -163,7 +160,7 @@ main(int argc, char **argv)
 		status = write_stats(&command, &run.reader.tally, &fault);
 	if (status)
 		code = program_fail(&command, &fault);
-	close_run(&run, &command);
+	close_run(&run);
 	program_end(&command);
 	return code;
 }

@@ -11,27 +11,37 @@
 
 enum { ITEMS = 500, MAX_JOBS = 8, NEVER = -1 };
 
+struct run;
+
 struct slot {
+	struct run *run; /* that has worked on it */
 	int number;
 	uint64_t value;
 };
 
 /* A run that may fail on chosen items, and what it left. */
 struct run {
-	int bad_read, bad_work, bad_work_too, bad_write;
+	int bad_read, bad_work, bad_work_too, bad_write, bad_worker;
 	bool slow; /* some items take longer, so that later ones overtake */
 	int begun;
 	uint64_t written[ITEMS];
 	int written_count;
-	atomic_int busy[MAX_JOBS]; /* by worker */
+	atomic_int workers; /* begun and not released */
+	atomic_int slots; /* worked on and not released */
 	atomic_int reading, writing;
 	atomic_bool clashed;
+};
+
+struct worker {
+	struct run *run;
+	atomic_int busy;
 };
 
 static const struct run good = {.bad_read = NEVER,
 	.bad_work = NEVER,
 	.bad_work_too = NEVER,
-	.bad_write = NEVER};
+	.bad_write = NEVER,
+	.bad_worker = NEVER};
 
 static enum tcs_status
 fail(struct tcs_fault *fault, const char *what, int number)
@@ -60,19 +70,23 @@ run_read(void *context, void *at, bool *done, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-run_work(void *context, void *at, size_t worker, struct tcs_fault *fault)
+run_work(void *context, void *at, void *scratch, struct tcs_fault *fault)
 {
 	struct run *run = context;
 	struct slot *slot = at;
+	struct worker *worker = scratch;
 
-	if (worker >= MAX_JOBS || atomic_fetch_add(&run->busy[worker], 1))
+	if (worker->run != run || atomic_fetch_add(&worker->busy, 1))
 		run->clashed = true;
+	if (!slot->run)
+		atomic_fetch_add(&run->slots, 1);
+	slot->run = run;
 	if (run->slow && slot->number % 7 == 0)
 		nanosleep(&(struct timespec){.tv_nsec = 4000000}, NULL);
 	if (run->slow && slot->number % 7 == 6)
 		nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
 	slot->value = (uint64_t)slot->number * 3 + 1;
-	atomic_fetch_sub(&run->busy[worker], 1);
+	atomic_fetch_sub(&worker->busy, 1);
 	if (slot->number == run->bad_work || slot->number == run->bad_work_too)
 		return fail(fault, "work", slot->number);
 	return TCS_OK;
@@ -94,14 +108,57 @@ run_write(void *context, void *at, struct tcs_fault *fault)
 }
 
 static enum tcs_status
+begin_worker(void *context, void *scratch, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	struct worker *worker = scratch;
+
+	if (worker->run || run->begun)
+		run->clashed = true;
+	if (run->workers == run->bad_worker)
+		return fail(fault, "worker", run->bad_worker);
+	worker->run = run;
+	run->workers++;
+	return TCS_OK;
+}
+
+static void
+release_worker(void *scratch)
+{
+	struct worker *worker = scratch;
+
+	if (worker->run)
+		worker->run->workers--;
+}
+
+static void
+release_slot(void *at)
+{
+	struct slot *slot = at;
+
+	if (slot->run)
+		slot->run->slots--;
+}
+
+static enum tcs_status
 crew_try(struct run *run, unsigned jobs, size_t slots, struct tcs_fault *fault)
 {
-	struct slot items[64];
-	const struct crew_plan plan = {run, items, sizeof *items, slots,
-		run_read, run_work, run_write};
+	const struct crew_plan plan = {
+		.context = run,
+		.slot_size = sizeof(struct slot),
+		.slot_count = slots,
+		.worker_size = sizeof(struct worker),
+		.read = run_read,
+		.work = run_work,
+		.write = run_write,
+		.worker_begin = begin_worker,
+		.worker_release = release_worker,
+		.slot_release = release_slot,
+	};
 	enum tcs_status status = crew_run(&plan, jobs, fault);
 
 	CHECK(!run->clashed);
+	CHECK(run->workers == 0 && run->slots == 0);
 	for (int i = 0; i < run->written_count; i++)
 		CHECK(run->written[i] == (uint64_t)i * 3 + 1);
 	return status;
@@ -115,7 +172,7 @@ the_order_of_writes_is_that_of_reads(void)
 		struct tcs_fault fault = {0};
 
 		run.slow = jobs == 4;
-		CHECK(!crew_try(&run, jobs, crew_slots(jobs), &fault));
+		CHECK(!crew_try(&run, jobs, 0, &fault));
 		CHECK(run.written_count == ITEMS);
 		CHECK(fault.status == TCS_OK && !fault.text[0]);
 	}
@@ -145,9 +202,12 @@ static void
 nothing_to_read_is_no_failure(void)
 {
 	struct run run = good;
-	struct slot items[2];
 	const struct crew_plan plan = {
-		&run, items, sizeof *items, 2, read_nothing, NULL, run_write};
+		.context = &run,
+		.slot_size = sizeof(struct slot),
+		.read = read_nothing,
+		.write = run_write,
+	};
 	struct tcs_fault fault;
 
 	CHECK(!crew_run(&plan, 1, &fault));
@@ -164,10 +224,10 @@ check_failure(struct run bad, const char *text, int written)
 	for (size_t i = 0; i < sizeof jobs / sizeof *jobs; i++) {
 		struct run run = bad;
 		struct tcs_fault fault = {0};
-		int begun_limit = written + 1 + (int)crew_slots(jobs[i]);
+		size_t slots = 3 * (size_t)jobs[i];
+		int begun_limit = written + 1 + (int)slots;
 
-		CHECK(crew_try(&run, jobs[i], crew_slots(jobs[i]), &fault) ==
-			TCS_BAD_INPUT);
+		CHECK(crew_try(&run, jobs[i], slots, &fault) == TCS_BAD_INPUT);
 		CHECK(fault.status == TCS_BAD_INPUT);
 		CHECK(!strcmp(fault.text, text));
 		CHECK(run.written_count == written);
@@ -211,10 +271,21 @@ the_earliest_item_wins_not_the_first_in_time(void)
 }
 
 static void
+a_worker_that_cannot_begin_stops_it_all(void)
+{
+	struct run run = good;
+	struct tcs_fault fault = {0};
+
+	run.bad_worker = 2;
+	CHECK(crew_try(&run, 4, 0, &fault) == TCS_BAD_INPUT);
+	CHECK(!strcmp(fault.text, "worker 2"));
+	CHECK(run.begun == 0 && run.written_count == 0);
+}
+
+static void
 there_is_at_least_one_processor(void)
 {
 	CHECK(crew_processors() >= 1);
-	CHECK(crew_slots(1) >= 1 && crew_slots(4) >= 4);
 }
 
 static const struct check_test tests[] = {
@@ -223,6 +294,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(nothing_to_read_is_no_failure),
 	CHECK_TEST(a_failure_names_its_item_and_stops_behind_it),
 	CHECK_TEST(the_earliest_item_wins_not_the_first_in_time),
+	CHECK_TEST(a_worker_that_cannot_begin_stops_it_all),
 	CHECK_TEST(there_is_at_least_one_processor),
 	{0},
 };
