@@ -197,9 +197,13 @@ paint_all(struct painter *painter, struct object_pictures *out,
 {
 	enum tcs_status status = TCS_OK;
 
-	for (int i = 0; !status && i < 2; i++)
+	for (int i = 0; !status && i < 2; i++) {
+		const struct component_set *set = &painter->sides[i]->set;
+
 		status = raster_draw(&painter->rasters[i], FINE, &painter->view,
-			&painter->sides[i]->set, fault);
+			set->points.at, set->points.count, set->triangles.at,
+			set->triangles.count, fault);
+	}
 	for (int i = 0; !status && i < PICTURE_COUNT; i++) {
 		paint(painter, i);
 		shrink(painter);

@@ -54,6 +54,7 @@ draw_one(void *context, size_t piece, size_t first, size_t end)
 {
 	struct drawing *drawing = context;
 	size_t side = piece / ALL_VIEWS, number = piece % ALL_VIEWS;
+	const struct component_set *set = drawing->sets[side];
 	struct view view = compare_view(drawing->sets[0], (int)number);
 	struct tcs_fault fault;
 
@@ -61,7 +62,8 @@ draw_one(void *context, size_t piece, size_t first, size_t end)
 	(void)end;
 	drawing->failed[piece] =
 		raster_draw(&drawing->pictures->rasters[side][number],
-			drawing->size, &view, drawing->sets[side], &fault);
+			drawing->size, &view, set->points.at, set->points.count,
+			set->triangles.at, set->triangles.count, &fault);
 }
 
 static enum tcs_status

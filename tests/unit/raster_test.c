@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "check.h"
+#include "simplify/component_set.h"
 #include "simplify/vector.h"
 
 static void
@@ -53,7 +54,9 @@ draw(struct raster *raster, struct component_set *set)
 	struct tcs_fault fault;
 
 	CHECK(!component_set_build(set, &fault));
-	CHECK(!raster_draw(raster, 100, &view, set, &fault));
+	CHECK(!raster_draw(raster, 100, &view, set->points.at,
+		set->points.count, set->triangles.at, set->triangles.count,
+		&fault));
 }
 
 static void
@@ -147,12 +150,41 @@ the_ray_of_a_pixel_meets_what_it_shows(void)
 	component_set_release(&set);
 }
 
+static void
+parallel_rays_see_the_same_size_at_any_distance(void)
+{
+	static const struct tcs_point ways[] = {
+		{-1, 0, 0}, {0, 0, -1}, {0, 0, 1}};
+
+	for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+		struct component_set set = {0};
+		struct raster raster = {0};
+		struct tcs_fault fault;
+		struct view view =
+			view_parallel(ways[i], (struct tcs_point){0, 0, 0}, 1);
+
+		/* Squares across x: seen along z they are but lines. */
+		set_square(&set, -0.7, 0.5, 1);
+		set_square(&set, 0.7, 0.26, 2);
+		CHECK(!component_set_build(&set, &fault));
+		CHECK(!raster_draw(&raster, 100, &view, set.points.at,
+			set.points.count, set.triangles.at, set.triangles.count,
+			&fault));
+		CHECK(count_pixels(&raster, &set, 2) == (i ? 0 : 26 * 26));
+		CHECK(count_pixels(&raster, &set, 1) ==
+			(i ? 0 : 50 * 50 - 26 * 26));
+		raster_release(&raster);
+		component_set_release(&set);
+	}
+}
+
 static const struct check_test tests[] = {
 	CHECK_TEST(a_square_has_the_pixels_of_its_perspective),
 	CHECK_TEST(what_is_nearer_hides_what_is_behind),
 	CHECK_TEST(what_is_behind_the_eye_or_partly_so_is_not_drawn),
 	CHECK_TEST(a_triangle_wider_than_the_picture_fills_it),
 	CHECK_TEST(the_ray_of_a_pixel_meets_what_it_shows),
+	CHECK_TEST(parallel_rays_see_the_same_size_at_any_distance),
 	{0},
 };
 
