@@ -8,9 +8,17 @@ struct passage {
 	uint32_t edge;
 };
 
+/* A side of a triangle; none is level. */
+struct side {
+	struct planar_point low, high;
+};
+
 struct slabs {
 	TCS_ARRAY(double) heights;
 	TCS_ARRAY(struct passage) passages;
+	TCS_ARRAY(struct side) sides; /* by the height where they begin */
+	TCS_ARRAY(uint32_t) open; /* the sides that have begun, not ended */
+	size_t begun; /* how many of the sides have */
 };
 
 static void
@@ -18,6 +26,8 @@ slabs_release(struct slabs *slabs)
 {
 	array_release(&slabs->heights);
 	array_release(&slabs->passages);
+	array_release(&slabs->sides);
+	array_release(&slabs->open);
 }
 
 static int
@@ -131,19 +141,102 @@ slab_next(const struct slabs *slabs, size_t *i, double *low, double *high)
 	return false;
 }
 
+/* What lies between every other passage and the next. */
+static double
+width_between(const struct slabs *slabs)
+{
+	const struct passage *at = slabs->passages.at;
+	double width = 0;
+
+	for (size_t i = 1; i < slabs->passages.count; i += 2)
+		width += at[i].x - at[i - 1].x;
+	return width;
+}
+
+/* ---- checking ----------------------------------------------------------------- */
+
+static int
+side_compare(const void *a, const void *b)
+{
+	const struct side *left = a, *right = b;
+
+	return (left->low.y > right->low.y) - (left->low.y < right->low.y);
+}
+
+static enum tcs_status
+sides_find(struct slabs *slabs, const struct planar *polygon,
+	const struct triangle_list *triangles, struct tcs_fault *fault)
+{
+	const struct planar_point *points = polygon->points.at;
+
+	if (array_grow(&slabs->sides, 3 * triangles->count) ||
+		array_grow(&slabs->open, 3 * triangles->count) ||
+		array_grow(&slabs->passages,
+			polygon->kept.count + 3 * triangles->count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < 3 * triangles->count; i++) {
+		const uint32_t *corner = triangles->at[i / 3].corner;
+		struct planar_point a = points[corner[i % 3]];
+		struct planar_point b = points[corner[(i + 1) % 3]];
+
+		if (a.y != b.y)
+			slabs->sides.at[slabs->sides.count++] = a.y < b.y
+				? (struct side){a, b}
+				: (struct side){b, a};
+	}
+	if (slabs->sides.count)
+		qsort(slabs->sides.at, slabs->sides.count,
+			sizeof *slabs->sides.at, side_compare);
+	return TCS_OK;
+}
+
+/* Add the passages of the triangles; heights only grow from call to call. */
+static void
+passages_add_sides(struct slabs *slabs, double y)
+{
+	const struct side *sides = slabs->sides.at;
+	size_t open = 0;
+
+	while (slabs->begun < slabs->sides.count &&
+		sides[slabs->begun].low.y <= y)
+		slabs->open.at[slabs->open.count++] = (uint32_t)slabs->begun++;
+	for (size_t i = 0; i < slabs->open.count; i++) {
+		const struct side *side = &sides[slabs->open.at[i]];
+		struct planar_point low = side->low, high = side->high;
+
+		if (high.y <= y)
+			continue;
+		slabs->open.at[open++] = slabs->open.at[i];
+		slabs->passages.at[slabs->passages.count++] = (struct passage){
+			low.x +
+				(high.x - low.x) *
+					((y - low.y) / (high.y - low.y)),
+			0};
+	}
+	slabs->open.count = open;
+	qsort(slabs->passages.at, slabs->passages.count,
+		sizeof *slabs->passages.at, passage_compare);
+}
+
 enum tcs_status
-slabs_area(const struct planar *polygon, double *area, struct tcs_fault *fault)
+slabs_check(const struct planar *polygon, const struct triangle_list *triangles,
+	double *area, double *wrong, struct tcs_fault *fault)
 {
 	struct slabs slabs = {.heights = {0}};
 	enum tcs_status status = heights_find(&slabs, polygon, fault);
-	const struct passage *at = slabs.passages.at;
 	double low, high;
 
 	*area = 0;
+	*wrong = 0;
+	if (!status)
+		status = sides_find(&slabs, polygon, triangles, fault);
 	for (size_t i = 0; !status && slab_next(&slabs, &i, &low, &high); i++) {
-		passages_find(&slabs, polygon, low + (high - low) / 2);
-		for (size_t j = 1; j < slabs.passages.count; j += 2)
-			*area += (high - low) * (at[j].x - at[j - 1].x);
+		double middle = low + (high - low) / 2;
+
+		passages_find(&slabs, polygon, middle);
+		*area += (high - low) * width_between(&slabs);
+		passages_add_sides(&slabs, middle);
+		*wrong += (high - low) * width_between(&slabs);
 	}
 	slabs_release(&slabs);
 	return status;

@@ -11,8 +11,14 @@
 
 #include "planar.h"
 
-/* The area inside by the odd–even rule. Fails with TCS_NO_MEMORY. */
-enum tcs_status slabs_area(const struct planar *polygon, double *area,
+/*
+ * The area inside by the odd–even rule, and the area that is inside but not
+ * covered by an odd number of the triangles, or outside but is. Where the
+ * triangles' own areas add up to the former and the latter is nothing, they
+ * cover the inside once and nothing else. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status slabs_check(const struct planar *polygon,
+	const struct triangle_list *triangles, double *area, double *wrong,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /*

@@ -86,22 +86,24 @@ same_area(const struct triangulator *t, double a, double b)
 	return fabs(a - b) <= ROUNDING * extent * extent;
 }
 
-/* Up to here the odd–even area is cheap. */
+/* Up to here slabs are cheap. */
 enum { FEW_VERTICES = 256 };
 
-/* Where that is cheap, ask whether the area is the odd–even one. */
+/* Where that is cheap, ask whether the inside is covered, and it alone. */
 static enum tcs_status
-area_check(const struct triangulator *t, double *area, bool *sound,
+cover_check(const struct triangulator *t, double *area, bool *sound,
 	struct tcs_fault *fault)
 {
 	enum tcs_status status;
-	double expected;
+	double expected, wrong;
 
 	*area = area_of(t);
 	if (!*sound || t->polygon.kept.count > FEW_VERTICES)
 		return TCS_OK;
-	status = slabs_area(&t->polygon, &expected, fault);
-	*sound = !status && same_area(t, *area, expected);
+	status = slabs_check(
+		&t->polygon, &t->triangles, &expected, &wrong, fault);
+	*sound = !status && same_area(t, *area, expected) &&
+		same_area(t, wrong, 0);
 	return status;
 }
 
@@ -151,7 +153,7 @@ touching_try(struct triangulator *t, double by, double *area, bool *fits,
 	if (status || !*fits)
 		return status;
 	*fits = slivers_drop(t) && same_area(t, area_of(t), t->polygon.area);
-	return area_check(t, area, fits, fault);
+	return cover_check(t, area, fits, fault);
 }
 
 /* ---- rings that cross ------------------------------------------------------------- */
@@ -212,7 +214,7 @@ repair_tries(struct triangulator *t, const struct tcs_point *vertices,
 		t->extra.count = 0;
 		status = repair_try(t, vertices, try, sound, fault);
 		if (!status)
-			status = area_check(t, area, sound, fault);
+			status = cover_check(t, area, sound, fault);
 	}
 	return status;
 }

@@ -92,23 +92,29 @@ the_largest_and_smallest_coordinates_keep_their_sign(void)
 	CHECK(planar_orient(small[0], small[1], small[2]) < 0);
 }
 
-static double
-slabs_area_of(const struct tcs_point *vertices, const uint32_t *rings,
-	size_t ring_count, size_t count)
+struct slabs_answer {
+	double area, wrong;
+};
+
+static struct slabs_answer
+slabs_asked(const struct tcs_point *vertices, const uint32_t *rings,
+	size_t ring_count, size_t count, const struct triangle_list *triangles)
 {
 	struct planar polygon = {.area = 0};
+	struct slabs_answer answer = {-1, -1};
 	struct tcs_fault fault;
 	enum tcs_status status;
-	double flatness, area = -1;
+	double flatness;
 
 	CHECK(!planar_find(
 		&polygon.plane, vertices, rings[0], count, &flatness));
 	CHECK(!planar_lay(
 		&polygon, vertices, rings, ring_count, count, &status));
 	CHECK(!status);
-	CHECK(!slabs_area(&polygon, &area, &fault));
+	CHECK(!slabs_check(
+		&polygon, triangles, &answer.area, &answer.wrong, &fault));
 	planar_release(&polygon);
-	return area;
+	return answer;
 }
 
 /* A square of 4 with a hole of 1 x 1, and another that lies half outside. */
@@ -119,10 +125,44 @@ slabs_count_what_is_inside_an_odd_number_of_times(void)
 		{4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {2, 1, 0}, {2, 2, 0},
 		{1, 2, 0}, {3, 3, 0}, {5, 3, 0}, {5, 3.5, 0}, {3, 3.5, 0}};
 	static const uint32_t rings[] = {4, 4, 4};
+	static const double areas[] = {16, 15, 15};
+	static const size_t counts[] = {4, 8, 12};
+	struct triangle_list none = {0};
 
-	CHECK(fabs(slabs_area_of(vertices, rings, 1, 4) - 16) < 1e-12);
-	CHECK(fabs(slabs_area_of(vertices, rings, 2, 8) - 15) < 1e-12);
-	CHECK(fabs(slabs_area_of(vertices, rings, 3, 12) - 15) < 1e-12);
+	for (size_t i = 0; i < 3; i++) {
+		struct slabs_answer answer =
+			slabs_asked(vertices, rings, i + 1, counts[i], &none);
+
+		CHECK(fabs(answer.area - areas[i]) < 1e-12);
+		CHECK(fabs(answer.wrong - areas[i]) < 1e-12);
+	}
+}
+
+/* Half a square, and where triangles of the whole one would lie. */
+static void
+slabs_see_triangles_in_the_wrong_place(void)
+{
+	static const struct tcs_point vertices[] = {
+		{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 2, 0}, {0, 4, 0}};
+	static const uint32_t rings[] = {4, 1};
+	struct tcs_triangle bottom = {{0, 1, 3}}, right = {{1, 2, 3}};
+	struct tcs_triangle left = {{0, 3, 4}};
+	struct {
+		struct tcs_triangle triangles[3];
+		size_t count;
+		double wrong;
+	} covers[] = {{{bottom, right}, 2, 0}, {{right}, 1, 4},
+		{{left, right}, 2, 8}, {{bottom, right, right}, 3, 4}};
+
+	for (size_t i = 0; i < sizeof covers / sizeof *covers; i++) {
+		struct triangle_list triangles = {
+			.at = covers[i].triangles, .count = covers[i].count};
+		struct slabs_answer answer =
+			slabs_asked(vertices, rings, 2, 5, &triangles);
+
+		CHECK(fabs(answer.area - 8) < 1e-12);
+		CHECK(fabs(answer.wrong - covers[i].wrong) < 1e-12);
+	}
 }
 
 static const struct check_test tests[] = {
@@ -130,6 +170,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(whole_numbers_next_to_a_line_lie_on_their_side),
 	CHECK_TEST(the_largest_and_smallest_coordinates_keep_their_sign),
 	CHECK_TEST(slabs_count_what_is_inside_an_odd_number_of_times),
+	CHECK_TEST(slabs_see_triangles_in_the_wrong_place),
 	{0},
 };
 

@@ -494,6 +494,61 @@ where_edges_cross_the_extra_vertex_is_exact(void)
 	triangulator_free(trial.triangulator);
 }
 
+/* In the plane: twice the signed area. */
+static double
+turn(struct tcs_point a, struct tcs_point b, struct tcs_point c)
+{
+	return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+static bool
+covers(const struct polygon *polygon, const struct triangulation *out,
+	struct tcs_point at)
+{
+	for (size_t i = 0; i < out->triangle_count; i++) {
+		const uint32_t *corner = out->triangles[i].corner;
+		struct tcs_point a = corner_of(polygon, out, corner[0]);
+		struct tcs_point b = corner_of(polygon, out, corner[1]);
+		struct tcs_point c = corner_of(polygon, out, corner[2]);
+		bool left = turn(a, b, at) > 0;
+
+		if (turn(a, b, c) != 0 && (turn(b, c, at) > 0) == left &&
+			(turn(c, a, at) > 0) == left)
+			return true;
+	}
+	return false;
+}
+
+/*
+ * Rings along the diagonal from 0,0 to 15,15, over and over: GLU loses where
+ * they cross the second one's edge from 9,11 to 11,9, and fills the far side
+ * of the diagonal, of the same area.
+ */
+static void
+a_repair_fills_the_right_side(void)
+{
+	static const char rings[] =
+		"2,12 3,12 13,15 14,0 0,0 0,0 15,15 3,3 9,1 2,3 0,0 15,15 "
+		"15,15 15,15 15,15 15,5 0,2 0,0 12,12 / "
+		"0,0 9,11 11,9 11,5 2,13 0,0 15,15 / 15,15 15,15 15,15 15,15 "
+		"15,15 1,1 13,13 9,9 10,5 2,12 1,4 0,0 0,0 2,13 13,13";
+	static const struct tcs_point inside = {-10.575e60, 9.4065e60, 0};
+	static const struct tcs_point outside = {-9.364e60, 10.6135e60, 0};
+	struct polygon polygon;
+	struct trial trial;
+
+	polygon_draw(&polygon, rings);
+	for (size_t i = 0; i < polygon.vertex_count; i++) {
+		polygon.vertices[i].x *= -1e60;
+		polygon.vertices[i].y *= 1e60;
+	}
+	trial_run(&trial, polygon.vertices, polygon.rings, polygon.ring_count);
+	CHECK(trial.out.outcome == TRIANGULATION_REPAIRED);
+	CHECK(covers(&polygon, &trial.out, inside));
+	CHECK(!covers(&polygon, &trial.out, outside));
+	triangulator_free(trial.triangulator);
+}
+
 static void
 extreme_coordinates_end_quietly(void)
 {
@@ -590,6 +645,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(the_normal_is_that_of_the_outer_ring),
 	CHECK_TEST(small_details_far_from_the_origin_survive),
 	CHECK_TEST(where_edges_cross_the_extra_vertex_is_exact),
+	CHECK_TEST(a_repair_fills_the_right_side),
 	CHECK_TEST(extreme_coordinates_end_quietly),
 	CHECK_TEST(a_tangle_too_large_to_repair_is_refused),
 	CHECK_TEST(a_ring_of_a_hundred_thousand_points_takes_no_time),
