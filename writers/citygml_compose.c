@@ -10,6 +10,7 @@ void
 composed_release(struct composed *composed)
 {
 	markup_release(&composed->markup);
+	markup_release(&composed->appearance);
 	report_release(&composed->report);
 	array_release(&composed->defined);
 	array_release(&composed->needed);
@@ -29,6 +30,7 @@ composer_release(struct composer *composer)
 	array_release(&composer->items);
 	array_release(&composer->pieces);
 	array_release(&composer->owners);
+	array_release(&composer->surfaces);
 	array_release(&composer->roots);
 	array_release(&composer->stack);
 	array_release(&composer->first_member);
@@ -65,6 +67,7 @@ clear(struct composer *composer, const struct id_set *taken,
 	array_clear(&composer->addresses);
 	array_clear(&composer->nodes);
 	markup_clear(&out->markup, depth);
+	markup_clear(&out->appearance, depth);
 	report_clear(&out->report);
 	array_clear(&out->defined);
 	array_clear(&out->needed);
@@ -570,7 +573,7 @@ compose_object(struct composer *composer, const struct tcs_record *record,
 		object_decode(&composer->object, record, fault);
 
 	clear(composer, taken, out, 1);
-	composer->number = record->before.objects;
+	composer->number = composer->before = record->before.objects;
 	if (!status)
 		status = plan_features(composer, fault);
 	if (!status)
@@ -612,18 +615,16 @@ compose_prototype(struct composer *composer, const struct tcs_record *record,
 
 	clear(composer, taken, out, 1);
 	composer->number = record->before.prototypes;
+	composer->before = record->before.objects;
 	composer->is_prototype = true;
 	if (!status)
 		status = place_prototype(composer, fault);
 	if (status)
 		return status;
 	prototype_write(composer);
+	prototype_appearances_write(composer);
 	status = keep_outer_id(composer, out, fault);
-	if (status)
-		return status;
-	if (composer->object.paints.count)
-		status = compose_note(composer, REPORT_SKIPPED, "paint",
-			"prototypes are written without appearance", NULL,
-			fault);
+	if (!status)
+		status = markup_check(&out->appearance, fault);
 	return status ? status : markup_check(&out->markup, fault);
 }

@@ -13,6 +13,7 @@
  *     citygml_generic.c    generic attributes
  *     citygml_address.c    addresses, between the versions of xAL
  *     citygml_shapes.c     geometry
+ *     citygml_paint_order.c  which paints, in which order
  *     citygml_paints.c     appearance
  *     citygml_surface_data.c  its materials and images
  *     citygml_pieces.c     polygons: repeated ones, ids
@@ -88,7 +89,8 @@ struct piece {
 	uint32_t first_face; /* of one without rings: the joined polygons
 	                        that go by its id */
 	uint32_t face_count;
-	uint32_t first_ring_id; /* of `ring_ids`; TCS_NONE: not needed */
+	uint32_t first_ring_id; /* of `ring_ids`; TCS_NONE: not needed. A
+	                           patch has one for each triangle. */
 	bool foreign; /* written by an earlier object */
 	bool rings_need_ids; /* a texture refers to them */
 	bool is_target; /* something refers to it */
@@ -101,9 +103,17 @@ struct face {
 	uint32_t rings_before; /* of earlier faces of the same polygon */
 };
 
+/* A triangulated surface, whose triangles GML gives no ids: what paints them
+ * names the surface, and of a texture their rings. */
+struct surface {
+	const char *id; /* NULL: none needed */
+	bool is_target;
+};
+
 /* A paint's material, or its texture. */
 struct painting {
 	uint32_t index; /* of the paint */
+	uint32_t surface; /* geometry that a patch is part of; TCS_NONE */
 	bool textured;
 };
 
@@ -160,6 +170,7 @@ struct compose_plan {
 /* What comes of one object. */
 struct composed {
 	struct markup markup;
+	struct markup appearance; /* of a prototype, as members of the model */
 	struct report report;
 	TCS_ARRAY(uint64_t) defined; /* ids, hashed */
 	TCS_ARRAY(uint64_t) needed; /* ids of earlier objects */
@@ -181,11 +192,13 @@ struct composer {
 	struct tcs_object object;
 	struct arena arena;
 	struct composed *out;
-	uint64_t number; /* of the object in the stream */
+	uint64_t number; /* of the object, or the prototype, in the stream */
+	uint64_t before; /* objects before it */
 	TCS_ARRAY(struct node) nodes;
 	TCS_ARRAY(struct item) items;
 	TCS_ARRAY(struct piece) pieces;
 	TCS_ARRAY(uint32_t) owners; /* geometry of each polygon */
+	TCS_ARRAY(struct surface) surfaces; /* one for each geometry */
 	TCS_ARRAY(uint32_t) roots; /* features written as members */
 	TCS_ARRAY(uint32_t) stack; /* features being written */
 	TCS_ARRAY(uint32_t) first_member; /* of attributes, as a tree */
@@ -315,8 +328,11 @@ enum tcs_status pieces_clear(
 enum tcs_status pieces_find_repetitions(
 	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
 
-/* A triangle of a triangulated surface. */
+/* Part of a triangulated surface; whether its ring is a triangle, and how many
+ * it is written as. */
 bool pieces_is_patch(const struct composer *composer, uint32_t polygon);
+bool pieces_is_triangle(const struct composer *composer, uint32_t polygon);
+uint32_t pieces_patch_count(const struct composer *composer, uint32_t polygon);
 
 /* Once it is known what refers to them: faces, and ids. */
 enum tcs_status pieces_name(
@@ -375,12 +391,19 @@ void instance_write(struct composer *composer, const struct item *item);
 struct gml_material gml_material_at(struct composer *composer, uint32_t index);
 struct gml_image gml_image_at(struct composer *composer, uint32_t index);
 
-/* ---- citygml_paints.c ---------------------------------------------------- */
+/* ---- citygml_paint_order.c, citygml_paints.c ----------------------------- */
 
-/* Which polygons and rings need ids for being painted. */
+/* Which polygons, rings and surfaces need ids for being painted. */
 enum tcs_status paints_prepare(
 	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The polygon that stands in the text for a painted one; TCS_NONE for none. */
+uint32_t paint_polygon(
+	const struct composer *composer, const struct tcs_paint *paint);
+
+/* Local to the object; those of a prototype into out->appearance. */
 void appearances_write(struct composer *composer);
+void prototype_appearances_write(struct composer *composer);
 
 /* ---- citygml_merge.c ----------------------------------------------------- */
 

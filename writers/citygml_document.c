@@ -174,11 +174,13 @@ document_release(struct document *document)
 {
 	for (size_t i = 0; i < document->prototypes.count; i++) {
 		free(document->prototypes.at[i].text);
+		free(document->prototypes.at[i].appearance);
 		free(document->prototypes.at[i].id);
 	}
 	if (document->members)
 		fclose(document->members);
 	array_release(&document->prototypes);
+	array_release(&document->appearances);
 	id_set_release(&document->ids);
 	id_set_release(&document->linked);
 	composer_release(&document->again);
@@ -219,6 +221,22 @@ put(struct document *document, const char *bytes, size_t length,
 	return TCS_OK;
 }
 
+/* What paints a prototype stands behind the object that it stands in. */
+static enum tcs_status
+take_appearance(struct document *document,
+	const struct document_prototype *prototype, struct tcs_fault *fault)
+{
+	size_t length = prototype->appearance_length;
+
+	if (array_grow(&document->appearances, length))
+		return fault_memory(fault);
+	if (length)
+		memcpy(document->appearances.at + document->appearances.count,
+			prototype->appearance, length);
+	document->appearances.count += length;
+	return TCS_OK;
+}
+
 /* The geometry of an instance: in full the first time, then by link. */
 static enum tcs_status
 put_instance(struct document *document, const struct hole *hole,
@@ -246,8 +264,11 @@ put_instance(struct document *document, const struct hole *hole,
 		status = put(
 			document, markup.bytes.at, markup.bytes.count, fault);
 	markup_release(&markup);
+	if (!status && prototype->text)
+		status = take_appearance(document, prototype, fault);
 	free(prototype->text);
-	prototype->text = NULL;
+	free(prototype->appearance);
+	prototype->text = prototype->appearance = NULL;
 	return status;
 }
 
@@ -258,6 +279,7 @@ put_members(struct document *document, const struct composed *composed,
 	enum tcs_status status = TCS_OK;
 	size_t at = 0;
 
+	array_clear(&document->appearances);
 	for (size_t i = 0; i < composed->holes.count && !status; i++) {
 		const struct hole *hole = &composed->holes.at[i];
 
@@ -267,10 +289,12 @@ put_members(struct document *document, const struct composed *composed,
 		if (!status)
 			status = put_instance(document, hole, fault);
 	}
-	if (status)
-		return status;
-	return put(document, composed->markup.bytes.at + at,
-		composed->markup.bytes.count - at, fault);
+	if (!status)
+		status = put(document, composed->markup.bytes.at + at,
+			composed->markup.bytes.count - at, fault);
+	return status ? status
+		      : put(document, document->appearances.at,
+				document->appearances.count, fault);
 }
 
 static void
@@ -294,6 +318,17 @@ include(struct document *document, const struct composed *composed)
 	document->has_bounds = true;
 }
 
+/* NULL without memory. */
+static char *
+copy_text(const struct markup *markup)
+{
+	char *copy = malloc(markup->bytes.count + 1);
+
+	if (copy && markup->bytes.count)
+		memcpy(copy, markup->bytes.at, markup->bytes.count);
+	return copy;
+}
+
 static enum tcs_status
 keep_prototype(struct document *document, const struct composed *composed,
 	struct tcs_fault *fault)
@@ -304,14 +339,15 @@ keep_prototype(struct document *document, const struct composed *composed,
 		return fault_memory(fault);
 	prototype = &document->prototypes.at[document->prototypes.count++];
 	*prototype = (struct document_prototype){
-		.text = malloc(composed->markup.bytes.count + 1),
+		.text = copy_text(&composed->markup),
 		.length = composed->markup.bytes.count,
+		.appearance = copy_text(&composed->appearance),
+		.appearance_length = composed->appearance.bytes.count,
 		.id = strdup(composed->outer_id.at),
 	};
-	if (!prototype->text || !prototype->id)
-		return fault_memory(fault);
-	memcpy(prototype->text, composed->markup.bytes.at, prototype->length);
-	return TCS_OK;
+	return prototype->text && prototype->appearance && prototype->id
+		? TCS_OK
+		: fault_memory(fault);
 }
 
 static enum tcs_status

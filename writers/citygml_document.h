@@ -17,6 +17,8 @@
 struct document_prototype {
 	char *text; /* owned; NULL once written */
 	size_t length;
+	char *appearance; /* owned; written behind that instance's object */
+	size_t appearance_length;
 	char *id; /* owned */
 };
 
@@ -27,6 +29,7 @@ struct document {
 	struct id_set linked; /* ids that relations name */
 	struct composer again; /* for objects whose ids are taken */
 	TCS_ARRAY(struct document_prototype) prototypes;
+	TCS_ARRAY(char) appearances; /* of those in the object being put */
 	struct report report;
 	struct tcs_point lower, upper;
 	bool has_bounds;

@@ -12,101 +12,6 @@
 static const char *const wraps[] = {
 	"none", "wrap", "mirror", "clamp", "border"};
 
-/* ---- which paints, in which order ----------------------------------------------- */
-
-/* The polygon that stands in the text for a painted one; TCS_NONE for none. */
-static uint32_t
-painted(const struct composer *composer, const struct tcs_paint *paint)
-{
-	const struct piece *piece = &composer->pieces.at[paint->polygon];
-
-	if (piece->first != TCS_NONE)
-		return piece->first;
-	return piece->home == TCS_NONE && !piece->foreign ? TCS_NONE
-							  : paint->polygon;
-}
-
-/* One painting; they are written in this order. */
-struct paint_key {
-	uint32_t of[5]; /* theme, image, material, flags, paint */
-};
-
-static int
-compare_keys(const void *left, const void *right)
-{
-	const uint32_t *a = ((const struct paint_key *)left)->of;
-	const uint32_t *b = ((const struct paint_key *)right)->of;
-
-	for (size_t i = 0; i < 5; i++)
-		if (a[i] != b[i])
-			return a[i] < b[i] ? -1 : 1;
-	return 0;
-}
-
-static void
-add_keys(struct composer *composer, struct paint_key *keys, size_t *count)
-{
-	const struct tcs_object *object = &composer->object;
-
-	for (uint32_t i = 0; i < object->paints.count; i++) {
-		const struct tcs_paint *paint = &object->paints.at[i];
-		uint32_t polygon = painted(composer, paint);
-		struct paint_key key = {
-			{paint->theme, TCS_NONE, TCS_NONE, paint->flags, i}};
-
-		if (polygon == TCS_NONE || pieces_is_patch(composer, polygon)) {
-			compose_lose(composer, "paint",
-				polygon == TCS_NONE
-					? "its polygon is not written"
-					: "triangles of a triangulated surface "
-					  "have no ids",
-				composer->nodes.count ? composer->nodes.at[0].id
-						      : NULL);
-			continue;
-		}
-		composer->pieces.at[polygon].is_target = true;
-		if (paint->image != TCS_NONE) {
-			composer->pieces.at[polygon].rings_need_ids = true;
-			key.of[1] = paint->image;
-			keys[(*count)++] = key;
-		}
-		if (paint->material == TCS_NONE)
-			continue;
-		key.of[1] = TCS_NONE;
-		key.of[2] = paint->material;
-		keys[(*count)++] = key;
-	}
-}
-
-enum tcs_status
-paints_prepare(struct composer *composer, struct tcs_fault *fault)
-{
-	const struct tcs_object *object = &composer->object;
-	uint16_t property = schema_find_content(
-		composer->nodes.at[0].class, CONTENT_APPEARANCE);
-	struct paint_key *keys;
-	size_t count = 0;
-
-	array_clear(&composer->paints);
-	if (!object->paints.count || property == SCHEMA_NONE)
-		return TCS_OK;
-	keys = arena_get(
-		&composer->arena, object->paints.count * 2 * sizeof *keys);
-	if (!keys || array_grow(&composer->paints, object->paints.count * 2))
-		return fault_memory(fault);
-	add_keys(composer, keys, &count);
-	if (!count)
-		return TCS_OK;
-	qsort(keys, count, sizeof *keys, compare_keys);
-	for (size_t i = 0; i < count; i++)
-		composer->paints.at[composer->paints.count++] =
-			(struct painting){.index = keys[i].of[4],
-				.textured = keys[i].of[1] != TCS_NONE};
-	return item_add(composer, 0, property, ITEM_APPEARANCE, 0, fault);
-}
-
-/* ---- writing -------------------------------------------------------------------- */
-
 /* The shortest decimal that is the same float. */
 static void
 print_float(char out[32], float value)
@@ -164,11 +69,17 @@ write_target(struct composer *composer, const char *id)
 }
 
 static void
-write_targets(struct composer *composer, const struct tcs_paint *paint)
+write_targets(struct composer *composer, const struct painting *painting)
 {
-	uint32_t polygon = painted(composer, paint);
+	uint32_t polygon = paint_polygon(
+		composer, &composer->object.paints.at[painting->index]);
 	const struct piece *piece = &composer->pieces.at[polygon];
 
+	if (painting->surface != TCS_NONE) {
+		write_target(
+			composer, composer->surfaces.at[painting->surface].id);
+		return;
+	}
 	for (uint32_t i = 0; i < shape_face_count(composer, polygon); i++)
 		if (piece->id)
 			write_target(composer, face_id(composer, piece, i));
@@ -196,35 +107,113 @@ write_material(
 	markup_leaf(
 		markup, "app", "isSmooth", material.smooth ? "true" : "false");
 	for (size_t i = 0; i < count; i++)
-		write_targets(composer, &paints[from[i].index]);
+		write_targets(composer, &from[i]);
 	markup_end(markup, "app", "X3DMaterial");
 }
 
-/* A face that a texture is wrapped on: a polygon with its rings, or one
- * joined from triangles. */
+/*
+ * What a texture is wrapped on: a polygon with its rings, a face joined from
+ * triangles, or as many triangles of a triangulated surface.
+ */
 struct wrapped {
-	const struct tcs_paint *paint;
-	const struct face *face; /* NULL: the polygon itself */
+	const struct painting *from;
+	size_t count; /* 1 but for a triangulated surface */
+	const struct face *face; /* NULL: not joined */
 	const char *id;
-	const char *const *ring_ids;
-	uint32_t ring_count;
 };
+
+/* A ring of it; each by ring_first and ring_next. */
+struct wrapped_ring {
+	size_t painting;
+	uint32_t number; /* among those of the painting */
+};
+
+static const struct tcs_paint *
+ring_paint(const struct composer *composer, const struct wrapped *wrapped,
+	const struct wrapped_ring *ring)
+{
+	return &composer->object.paints.at[wrapped->from[ring->painting].index];
+}
+
+static uint32_t
+ring_count(const struct composer *composer, const struct wrapped *wrapped,
+	const struct wrapped_ring *ring)
+{
+	uint32_t polygon = ring_paint(composer, wrapped, ring)->polygon;
+
+	if (wrapped->face)
+		return wrapped->face->ring_count;
+	return pieces_is_patch(composer, polygon)
+		? pieces_patch_count(composer, polygon)
+		: composer->object.polygons.at[polygon].ring_count;
+}
+
+static bool
+ring_next(const struct composer *composer, const struct wrapped *wrapped,
+	struct wrapped_ring *ring)
+{
+	ring->number++;
+	while (ring->painting < wrapped->count &&
+		ring->number >= ring_count(composer, wrapped, ring))
+		*ring = (struct wrapped_ring){ring->painting + 1, 0};
+	return ring->painting < wrapped->count;
+}
+
+static const char *
+ring_id(const struct composer *composer, const struct wrapped *wrapped,
+	const struct wrapped_ring *ring)
+{
+	uint32_t polygon =
+		paint_polygon(composer, ring_paint(composer, wrapped, ring));
+	uint32_t first = composer->pieces.at[polygon].first_ring_id;
+
+	if (wrapped->face)
+		first += wrapped->face->rings_before;
+	return composer->ring_ids.at[first + ring->number];
+}
+
+static void
+write_coordinate(struct composer *composer, struct tcs_texcoord at)
+{
+	markup_number(&composer->out->markup, at.s);
+	markup_number(&composer->out->markup, at.t);
+}
+
+/* Of the polygon's own vertex. */
+static struct tcs_texcoord
+texcoord_of(const struct composer *composer, const struct tcs_paint *paint,
+	uint32_t vertex)
+{
+	const struct tcs_polygon *polygon =
+		&composer->object.polygons.at[paint->polygon];
+
+	return composer->object.texcoords
+		.at[paint->first_texcoord + vertex - polygon->first_vertex];
+}
 
 static void
 write_coordinates(struct composer *composer, const struct tcs_paint *paint,
 	const struct tcs_ring *ring)
 {
+	for (uint32_t i = 0; i <= ring->vertex_count; i++)
+		write_coordinate(composer,
+			texcoord_of(composer, paint,
+				ring->first_vertex + i % ring->vertex_count));
+}
+
+static void
+write_patch_coordinates(
+	struct composer *composer, const struct tcs_paint *paint, uint32_t n)
+{
 	const struct tcs_polygon *polygon =
 		&composer->object.polygons.at[paint->polygon];
-	const struct tcs_texcoord *at =
-		&composer->object.texcoords.at[paint->first_texcoord +
-			ring->first_vertex - polygon->first_vertex];
-	struct markup *markup = &composer->out->markup;
+	const uint32_t *corner =
+		composer->object.triangles.at[polygon->first_triangle + n]
+			.corner;
 
-	for (uint32_t i = 0; i <= ring->vertex_count; i++) {
-		markup_number(markup, at[i % ring->vertex_count].s);
-		markup_number(markup, at[i % ring->vertex_count].t);
-	}
+	for (unsigned i = 0; i < 4; i++)
+		write_coordinate(
+			composer, texcoord_of(composer, paint, corner[i % 3]));
 }
 
 static void
@@ -233,32 +222,41 @@ write_merged_coordinates(struct composer *composer,
 {
 	const uint32_t *corners = composer->merged.corners.at + ring->first;
 
-	for (uint32_t i = 0; i <= ring->count; i++) {
-		struct tcs_texcoord at = merged_texcoord(
-			composer, paint, corners[i % ring->count]);
-
-		markup_number(&composer->out->markup, at.s);
-		markup_number(&composer->out->markup, at.t);
-	}
+	for (uint32_t i = 0; i <= ring->count; i++)
+		write_coordinate(composer,
+			merged_texcoord(
+				composer, paint, corners[i % ring->count]));
 }
 
 static void
-write_ring_coordinates(
-	struct composer *composer, const struct wrapped *wrapped, uint32_t ring)
+write_ring_coordinates(struct composer *composer, const struct wrapped *wrapped,
+	const struct wrapped_ring *ring)
 {
 	const struct tcs_object *object = &composer->object;
-	const struct tcs_paint *paint = wrapped->paint;
+	const struct tcs_paint *paint = ring_paint(composer, wrapped, ring);
+	uint32_t polygon = paint->polygon;
 
 	markup_begin_text(&composer->out->markup);
 	if (wrapped->face)
 		write_merged_coordinates(composer, paint,
 			&composer->merged.rings
-				 .at[wrapped->face->first_ring + ring]);
+				 .at[wrapped->face->first_ring + ring->number]);
+	else if (pieces_is_patch(composer, polygon) &&
+		!pieces_is_triangle(composer, polygon))
+		write_patch_coordinates(composer, paint, ring->number);
 	else
 		write_coordinates(composer, paint,
-			&object->rings.at[object->polygons.at[paint->polygon]
-						  .first_ring +
-				ring]);
+			&object->rings
+				 .at[object->polygons.at[polygon].first_ring +
+					 ring->number]);
+}
+
+static bool
+ring_first(const struct composer *composer, const struct wrapped *wrapped,
+	struct wrapped_ring *ring)
+{
+	*ring = (struct wrapped_ring){0, UINT32_MAX};
+	return ring_next(composer, wrapped, ring);
 }
 
 /* In 1.0 and 2.0 the ring is an attribute; in 3.0 rings follow, in order. */
@@ -266,20 +264,24 @@ static void
 write_coordinate_list(struct composer *composer, const struct wrapped *wrapped)
 {
 	struct markup *markup = &composer->out->markup;
-	bool is_3 = compose_is_3(composer);
+	bool is_3 = compose_is_3(composer), more;
+	struct wrapped_ring ring;
 
 	markup_start(markup, "app", "TexCoordList");
-	for (uint32_t i = 0; i < wrapped->ring_count; i++) {
+	for (more = ring_first(composer, wrapped, &ring); more;
+		more = ring_next(composer, wrapped, &ring)) {
 		markup_start(markup, "app", "textureCoordinates");
 		if (!is_3)
-			markup_link(markup, "ring", wrapped->ring_ids[i]);
-		write_ring_coordinates(composer, wrapped, i);
+			markup_link(markup, "ring",
+				ring_id(composer, wrapped, &ring));
+		write_ring_coordinates(composer, wrapped, &ring);
 		markup_end(markup, "app", "textureCoordinates");
 	}
-	for (uint32_t i = 0; is_3 && i < wrapped->ring_count; i++) {
+	for (more = is_3 && ring_first(composer, wrapped, &ring); more;
+		more = ring_next(composer, wrapped, &ring)) {
 		markup_start(markup, "app", "ring");
 		markup_text(markup, "#");
-		markup_text(markup, wrapped->ring_ids[i]);
+		markup_text(markup, ring_id(composer, wrapped, &ring));
 		markup_end(markup, "app", "ring");
 	}
 	markup_end(markup, "app", "TexCoordList");
@@ -289,7 +291,10 @@ static void
 write_wrapped(struct composer *composer, const struct wrapped *wrapped)
 {
 	struct markup *markup = &composer->out->markup;
+	struct wrapped_ring ring;
 
+	if (!ring_first(composer, wrapped, &ring))
+		return;
 	if (!compose_is_3(composer)) {
 		markup_start(markup, "app", "target");
 		markup_link(markup, "uri", wrapped->id);
@@ -307,30 +312,41 @@ write_wrapped(struct composer *composer, const struct wrapped *wrapped)
 	markup_end(markup, "app", "textureParameterization");
 }
 
-static void
-write_texture_targets(struct composer *composer, const struct tcs_paint *paint)
+/* The paintings from the first that are on the same surface. */
+static size_t
+surface_run(const struct painting *from, size_t count)
 {
-	const struct tcs_polygon *polygon =
-		&composer->object.polygons.at[paint->polygon];
-	uint32_t target = painted(composer, paint);
-	const struct piece *piece = &composer->pieces.at[target];
-	struct wrapped wrapped = {.paint = paint,
-		.id = piece->id,
-		.ring_count = polygon->ring_count};
+	size_t run = 1;
 
-	if (!piece->id || piece->first_ring_id == TCS_NONE)
+	while (from->surface != TCS_NONE && run < count &&
+		from[run].surface == from->surface)
+		run++;
+	return run;
+}
+
+static void
+write_texture_targets(
+	struct composer *composer, const struct painting *from, size_t count)
+{
+	const struct tcs_paint *paint =
+		&composer->object.paints.at[from->index];
+	uint32_t target = paint_polygon(composer, paint);
+	const struct piece *piece = &composer->pieces.at[target];
+	struct wrapped wrapped = {
+		.from = from, .count = count, .id = piece->id};
+
+	if (from->surface != TCS_NONE)
+		wrapped.id = composer->surfaces.at[from->surface].id;
+	if (!wrapped.id || piece->first_ring_id == TCS_NONE)
 		return;
-	wrapped.ring_ids = composer->ring_ids.at + piece->first_ring_id;
-	if (polygon->ring_count) {
+	if (from->surface != TCS_NONE ||
+		composer->object.polygons.at[paint->polygon].ring_count) {
 		write_wrapped(composer, &wrapped);
 		return;
 	}
 	for (uint32_t i = 0; i < piece->face_count; i++) {
 		wrapped.face = &composer->faces.at[piece->first_face + i];
 		wrapped.id = face_id(composer, piece, i);
-		wrapped.ring_ids = composer->ring_ids.at +
-			piece->first_ring_id + wrapped.face->rings_before;
-		wrapped.ring_count = wrapped.face->ring_count;
 		write_wrapped(composer, &wrapped);
 	}
 }
@@ -378,8 +394,10 @@ write_texture(
 		markup_leaf(markup, "app", "wrapMode", wraps[image.is.wrap]);
 	if (has_border(&image.is))
 		write_floats(composer, "borderColor", image.is.border, 4);
-	for (size_t i = 0; i < count; i++)
-		write_texture_targets(composer, &paints[from[i].index]);
+	for (size_t i = 0, run; i < count; i += run) {
+		run = surface_run(&from[i], count - i);
+		write_texture_targets(composer, &from[i], run);
+	}
 	markup_end(markup, "app", "ParameterizedTexture");
 }
 
@@ -397,6 +415,15 @@ goes_with(const struct composer *composer, const struct painting *a,
 			     : p->material == q->material);
 }
 
+/* The property of an object that an appearance is local to, or of the model. */
+static void
+appearance_property(
+	const struct composer *composer, const char **module, const char **name)
+{
+	*module = compose_is_3(composer) ? "core" : "app";
+	*name = composer->is_prototype ? "appearanceMember" : "appearance";
+}
+
 /* The paintings of one theme. */
 static void
 write_theme(
@@ -404,12 +431,13 @@ write_theme(
 {
 	const char *property =
 		compose_is_3(composer) ? "surfaceData" : "surfaceDataMember";
-	const char *around = compose_is_3(composer) ? "core" : "app";
+	const char *around, *name;
 	struct markup *markup = &composer->out->markup;
 	tcs_text theme = composer->object.paints.at[from->index].theme;
 	size_t run;
 
-	markup_start(markup, around, "appearance");
+	appearance_property(composer, &around, &name);
+	markup_start(markup, around, name);
 	start_feature(composer, "Appearance", "");
 	if (theme)
 		markup_leaf(
@@ -427,7 +455,7 @@ write_theme(
 		markup_end(markup, "app", property);
 	}
 	markup_end(markup, "app", "Appearance");
-	markup_end(markup, around, "appearance");
+	markup_end(markup, around, name);
 }
 
 void
@@ -445,4 +473,16 @@ appearances_write(struct composer *composer)
 			run++;
 		write_theme(composer, &all[i], run);
 	}
+}
+
+void
+prototype_appearances_write(struct composer *composer)
+{
+	struct composed *out = composer->out;
+	struct markup shape = out->markup;
+
+	out->markup = out->appearance;
+	appearances_write(composer);
+	out->appearance = out->markup;
+	out->markup = shape;
 }

@@ -56,6 +56,15 @@ look_elsewhere(struct composer *composer, struct piece *piece, const char *id,
 	return TCS_OK;
 }
 
+bool
+pieces_is_patch(const struct composer *composer, uint32_t polygon)
+{
+	uint32_t geometry = composer->owners.at[polygon];
+
+	return geometry != TCS_NONE &&
+		composer->object.geometries.at[geometry].kind == TCS_TIN;
+}
+
 enum tcs_status
 pieces_find_repetitions(struct composer *composer, struct tcs_fault *fault)
 {
@@ -68,7 +77,7 @@ pieces_find_repetitions(struct composer *composer, struct tcs_fault *fault)
 		uint32_t *slot;
 
 		if (piece->home == TCS_NONE || !polygon->id ||
-			!polygon->ring_count)
+			!polygon->ring_count || pieces_is_patch(composer, i))
 			continue;
 		slot = find_slot(composer, compose_text(composer, polygon->id));
 		if (*slot == TCS_NONE) {
@@ -93,14 +102,34 @@ name_faces(struct composer *composer, const struct piece *piece)
 			piece->id ? compose_id(composer, piece->id) : NULL;
 }
 
+bool
+pieces_is_triangle(const struct composer *composer, uint32_t polygon)
+{
+	const struct tcs_polygon *of = &composer->object.polygons.at[polygon];
+
+	return of->ring_count == 1 &&
+		composer->object.rings.at[of->first_ring].vertex_count == 3;
+}
+
+uint32_t
+pieces_patch_count(const struct composer *composer, uint32_t polygon)
+{
+	return pieces_is_triangle(composer, polygon)
+		? 1
+		: composer->object.polygons.at[polygon].triangle_count;
+}
+
 static enum tcs_status
 name_rings(struct composer *composer, const struct tcs_polygon *polygon,
 	struct piece *piece, struct tcs_fault *fault)
 {
+	uint32_t index = (uint32_t)(piece - composer->pieces.at);
 	uint32_t count = polygon->ring_count;
 
 	if (!piece->rings_need_ids)
 		return TCS_OK;
+	if (pieces_is_patch(composer, index))
+		count = pieces_patch_count(composer, index);
 	for (uint32_t i = 0; i < piece->face_count; i++)
 		count += composer->faces.at[piece->first_face + i].ring_count;
 	piece->first_ring_id = (uint32_t)composer->ring_ids.count;
@@ -117,16 +146,6 @@ name_rings(struct composer *composer, const struct tcs_polygon *polygon,
 	return TCS_OK;
 }
 
-/* Patches of a triangulated surface have no ids. */
-bool
-pieces_is_patch(const struct composer *composer, uint32_t polygon)
-{
-	uint32_t geometry = composer->owners.at[polygon];
-
-	return geometry != TCS_NONE &&
-		composer->object.geometries.at[geometry].kind == TCS_TIN;
-}
-
 static enum tcs_status
 name_piece(struct composer *composer, const struct tcs_geometry *geometry,
 	uint32_t index, struct tcs_fault *fault)
@@ -136,8 +155,11 @@ name_piece(struct composer *composer, const struct tcs_geometry *geometry,
 	struct piece *piece = &composer->pieces.at[index];
 
 	if (piece->home == TCS_NONE || piece->foreign ||
-		piece->first != TCS_NONE || pieces_is_patch(composer, index) ||
-		!shape_face_count(composer, index))
+		piece->first != TCS_NONE)
+		return TCS_OK;
+	if (pieces_is_patch(composer, index))
+		return name_rings(composer, polygon, piece, fault);
+	if (!shape_face_count(composer, index))
 		return TCS_OK;
 	if (polygon->id || piece->is_target || compose_is_3(composer))
 		piece->id = compose_id_in(composer, geometry, polygon->id);
@@ -153,7 +175,11 @@ pieces_name(struct composer *composer, struct tcs_fault *fault)
 
 	for (size_t i = 0; i < object->geometries.count; i++) {
 		const struct tcs_geometry *geometry = &object->geometries.at[i];
+		struct surface *surface = &composer->surfaces.at[i];
 
+		if (surface->is_target)
+			surface->id =
+				compose_id_in(composer, geometry, geometry->id);
 		for (uint32_t j = 0; j < geometry->polygon_count && !status;
 			j++)
 			status = name_piece(composer, geometry,
@@ -172,9 +198,15 @@ pieces_clear(struct composer *composer, struct tcs_fault *fault)
 	array_clear(&composer->faces);
 	coplanar_clear(&composer->merged);
 	array_clear(&composer->ring_ids);
+	array_clear(&composer->surfaces);
 	if (array_grow(&composer->pieces, count) ||
-		array_grow(&composer->owners, count))
+		array_grow(&composer->owners, count) ||
+		array_grow(
+			&composer->surfaces, composer->object.geometries.count))
 		return fault_memory(fault);
+	composer->surfaces.count = composer->object.geometries.count;
+	for (size_t i = 0; i < composer->surfaces.count; i++)
+		composer->surfaces.at[i] = (struct surface){0};
 	composer->pieces.count = composer->owners.count = count;
 	for (size_t i = 0; i < count; i++) {
 		composer->pieces.at[i] = (struct piece){.home = TCS_NONE,
@@ -204,5 +236,7 @@ place_prototype(struct composer *composer, struct tcs_fault *fault)
 		}
 	}
 	status = pieces_find_repetitions(composer, fault);
+	if (!status)
+		status = paints_prepare(composer, fault);
 	return status ? status : pieces_name(composer, fault);
 }

@@ -41,11 +41,14 @@ void
 shape_start_in(struct composer *composer, const char *name,
 	const struct tcs_geometry *geometry, tcs_text given)
 {
-	const char *id = NULL;
+	shape_start_named(composer, name,
+		given ? compose_id_in(composer, geometry, given) : NULL);
+}
 
-	if (given)
-		id = compose_id_in(composer, geometry, given);
-	else if (compose_is_3(composer) || composer->wants_outer_id)
+void
+shape_start_named(struct composer *composer, const char *name, const char *id)
+{
+	if (!id && (compose_is_3(composer) || composer->wants_outer_id))
 		id = compose_id(composer, "");
 	if (composer->wants_outer_id)
 		composer->outer_id = id;
@@ -108,17 +111,6 @@ write_merged_ring(struct composer *composer, const struct coplanar_ring *ring,
 	end_ring(composer, outer);
 }
 
-void
-shape_triangle(struct composer *composer, const struct tcs_triangle *triangle)
-{
-	const struct tcs_point *vertices = composer->object.vertices.at;
-
-	start_ring(composer, true, NULL);
-	for (unsigned i = 0; i < 4; i++)
-		shape_point(composer, vertices[triangle->corner[i % 3]]);
-	end_ring(composer, true);
-}
-
 /* ---- polygons -------------------------------------------------------------------- */
 
 /* The id that texture coordinates go by. */
@@ -156,6 +148,24 @@ shape_rings(struct composer *composer, uint32_t polygon)
 		write_ring(composer,
 			&composer->object.rings.at[of->first_ring + i], i == 0,
 			ring_id(composer, polygon, i));
+}
+
+void
+shape_patch(struct composer *composer, uint32_t polygon, uint32_t n)
+{
+	const struct tcs_polygon *of = &composer->object.polygons.at[polygon];
+	const struct tcs_point *vertices = composer->object.vertices.at;
+	const uint32_t *corner;
+
+	if (pieces_is_triangle(composer, polygon)) {
+		shape_rings(composer, polygon);
+		return;
+	}
+	corner = composer->object.triangles.at[of->first_triangle + n].corner;
+	start_ring(composer, true, painted_ring_id(composer, polygon, n));
+	for (unsigned i = 0; i < 4; i++)
+		shape_point(composer, vertices[corner[i % 3]]);
+	end_ring(composer, true);
 }
 
 static void

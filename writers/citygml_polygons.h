@@ -14,12 +14,15 @@ void shape_start_with_id(
 
 /* An id is made up only where GML 3.2 or a link wants it. */
 void shape_start(struct composer *composer, const char *name);
+/* The same with an id that is made already, or NULL. */
+void shape_start_named(
+	struct composer *composer, const char *name, const char *id);
 /* The same with the id as given, of the geometry or of a part of it. */
 void shape_start_in(struct composer *composer, const char *name,
 	const struct tcs_geometry *geometry, tcs_text given);
 
-void shape_triangle(
-	struct composer *composer, const struct tcs_triangle *triangle);
+/* The n-th triangle of a part of a triangulated surface. */
+void shape_patch(struct composer *composer, uint32_t polygon, uint32_t n);
 void shape_rings(struct composer *composer, uint32_t polygon);
 
 /* How many faces it is written as: one with rings, else those that its

@@ -12,9 +12,51 @@ struct shape {
 	uint32_t feature;
 };
 
+/* ---- triangulated surfaces ------------------------------------------------------- */
+
+static void
+write_patches(struct composer *composer, uint32_t polygon)
+{
+	uint32_t count = pieces_patch_count(composer, polygon);
+	struct markup *markup = &composer->out->markup;
+
+	for (uint32_t i = 0; i < count; i++) {
+		composer->out->polygons++;
+		markup_start(markup, "gml", "Triangle");
+		shape_patch(composer, polygon, i);
+		markup_end(markup, "gml", "Triangle");
+	}
+}
+
+static void
+write_tin(struct composer *composer, const struct tcs_geometry *geometry)
+{
+	const char *patches =
+		compose_is_3(composer) ? "patches" : "trianglePatches";
+	const char *id =
+		composer->surfaces.at[geometry - composer->object.geometries.at]
+			.id;
+	struct markup *markup = &composer->out->markup;
+
+	if (id)
+		shape_start_named(composer, "TriangulatedSurface", id);
+	else
+		shape_start_in(composer, "TriangulatedSurface", geometry,
+			geometry->id);
+	markup_start(markup, "gml", patches);
+	for (uint32_t i = 0; i < geometry->polygon_count; i++)
+		write_patches(composer, geometry->first_polygon + i);
+	markup_end(markup, "gml", patches);
+	markup_end(markup, "gml", "TriangulatedSurface");
+}
+
+/* ---- surfaces ---------------------------------------------------------------------- */
+
 static void
 write_surface_items(struct composer *composer, const struct shape *shape)
 {
+	struct markup *markup = &composer->out->markup;
+
 	for (size_t i = 0; i < shape->item_count; i++) {
 		const struct item *item = &shape->items[i];
 		const struct tcs_geometry *geometry;
@@ -25,6 +67,12 @@ write_surface_items(struct composer *composer, const struct shape *shape)
 			continue;
 		}
 		geometry = &composer->object.geometries.at[item->index];
+		if (geometry->kind == TCS_TIN) {
+			markup_start(markup, "gml", "surfaceMember");
+			write_tin(composer, geometry);
+			markup_end(markup, "gml", "surfaceMember");
+			continue;
+		}
 		for (uint32_t j = 0; j < geometry->polygon_count; j++) {
 			uint32_t polygon = geometry->first_polygon + j;
 
@@ -34,12 +82,21 @@ write_surface_items(struct composer *composer, const struct shape *shape)
 	}
 }
 
+static bool
+is_tin(const struct shape *shape)
+{
+	return shape->geometry && shape->geometry->kind == TCS_TIN &&
+		shape->item_count == 1;
+}
+
 static void
 write_surfaces(
 	struct composer *composer, const struct shape *shape, const char *name)
 {
-	shape_start_in(composer, name, shape->geometry,
-		shape->geometry ? shape->geometry->id : 0);
+	const struct tcs_geometry *geometry = shape->geometry;
+
+	shape_start_in(composer, name, geometry,
+		geometry && geometry->kind != TCS_TIN ? geometry->id : 0);
 	write_surface_items(composer, shape);
 	markup_end(&composer->out->markup, "gml", name);
 }
@@ -77,47 +134,6 @@ is_bare(const struct composer *composer, const struct shape *shape)
 		!strcmp(compose_text(composer, shape->geometry->id),
 			compose_text(composer,
 				composer->object.polygons.at[polygon].id));
-}
-
-/* ---- triangulated surfaces ------------------------------------------------------- */
-
-static void
-write_patches(struct composer *composer, uint32_t polygon)
-{
-	const struct tcs_polygon *of = &composer->object.polygons.at[polygon];
-	struct markup *markup = &composer->out->markup;
-
-	if (of->ring_count == 1 &&
-		composer->object.rings.at[of->first_ring].vertex_count == 3) {
-		composer->out->polygons++;
-		markup_start(markup, "gml", "Triangle");
-		shape_rings(composer, polygon);
-		markup_end(markup, "gml", "Triangle");
-		return;
-	}
-	for (uint32_t i = 0; i < of->triangle_count; i++) {
-		composer->out->polygons++;
-		markup_start(markup, "gml", "Triangle");
-		shape_triangle(composer,
-			&composer->object.triangles.at[of->first_triangle + i]);
-		markup_end(markup, "gml", "Triangle");
-	}
-}
-
-static void
-write_tin(struct composer *composer, const struct shape *shape)
-{
-	const char *patches =
-		compose_is_3(composer) ? "patches" : "trianglePatches";
-	const struct tcs_geometry *geometry = shape->geometry;
-	struct markup *markup = &composer->out->markup;
-
-	shape_start_in(composer, "TriangulatedSurface", geometry, geometry->id);
-	markup_start(markup, "gml", patches);
-	for (uint32_t i = 0; i < geometry->polygon_count; i++)
-		write_patches(composer, geometry->first_polygon + i);
-	markup_end(markup, "gml", patches);
-	markup_end(markup, "gml", "TriangulatedSurface");
 }
 
 /* ---- solids --------------------------------------------------------------------- */
@@ -281,7 +297,7 @@ write_in_geometry(struct composer *composer, const struct shape *shape)
 		write_solids(composer, shape, "CompositeSolid");
 		return;
 	case TCS_TIN:
-		write_tin(composer, shape);
+		write_tin(composer, shape->geometry);
 		return;
 	case TCS_MULTI_CURVE:
 		write_each(composer, shape, "MultiCurve", "curveMember",
@@ -301,23 +317,6 @@ write_in_geometry(struct composer *composer, const struct shape *shape)
 		else
 			write_surfaces(composer, shape, "MultiSurface");
 	}
-}
-
-/* A triangulated surface as the only member of a multi-surface. */
-static void
-write_in_multi_surface(struct composer *composer, const struct shape *shape)
-{
-	struct markup *markup = &composer->out->markup;
-
-	if (!shape->geometry || shape->geometry->kind != TCS_TIN) {
-		write_surfaces(composer, shape, "MultiSurface");
-		return;
-	}
-	shape_start(composer, "MultiSurface");
-	markup_start(markup, "gml", "surfaceMember");
-	write_tin(composer, shape);
-	markup_end(markup, "gml", "surfaceMember");
-	markup_end(markup, "gml", "MultiSurface");
 }
 
 static void
@@ -343,18 +342,20 @@ write_content(
 		write_solids(composer, shape, "MultiSolid");
 		return;
 	case CONTENT_MULTISURFACE:
-		write_in_multi_surface(composer, shape);
+		write_surfaces(composer, shape, "MultiSurface");
 		return;
 	case CONTENT_SURFACE:
 	case CONTENT_POLYGON:
-		if (only_polygon(composer, shape) != TCS_NONE)
+		if (is_tin(shape))
+			write_tin(composer, shape->geometry);
+		else if (only_polygon(composer, shape) != TCS_NONE)
 			shape_polygon(
 				composer, only_polygon(composer, shape), 0);
 		else
 			write_surfaces(composer, shape, "CompositeSurface");
 		return;
 	case CONTENT_TIN:
-		write_tin(composer, shape);
+		write_tin(composer, shape->geometry);
 		return;
 	case CONTENT_MULTICURVE:
 		write_each(composer, shape, "MultiCurve", "curveMember",

@@ -46,12 +46,13 @@ kept(struct composer *composer, const struct tcs_palette *palette,
 	return copy ? copy : "";
 }
 
-/* Only in the object it stands before does an entry keep its id: it would be
- * there twice, and which object is the first to use it no worker knows. */
+/* Only in the object it stands before, and in prototypes between them, does an
+ * entry keep its id: it would be there twice, and which object is the first to
+ * use it no worker knows. */
 static const char *
 own_id(struct composer *composer, uint64_t object, tcs_text id)
 {
-	if (composer->is_prototype || object != composer->number)
+	if (object != composer->before)
 		return "";
 	return kept(composer, &composer->plan->palette->all, id);
 }
