@@ -151,3 +151,12 @@ selection_release(struct selection *selection)
 	array_release(&selection->geometries);
 	array_release(&selection->instances);
 }
+
+const char *
+lod_parse(void *target, const char *argument)
+{
+	if (argument[0] < '0' || argument[0] > '4' || argument[1])
+		return "not one of 0, 1, 2, 3, 4";
+	*(int *)target = argument[0] - '0';
+	return NULL;
+}

@@ -38,6 +38,12 @@ enum tcs_status selection_make(struct selection *selection,
 	const struct tcs_object *object, int lod,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/*
+ * For option tables (program.h): "0" to "4", into an int. Anything else
+ * changes nothing, and what is wrong with it is returned.
+ */
+const char *lod_parse(void *target, const char *argument);
+
 /* Whether what the class is in may stand for it: a BuildingPart. */
 bool class_is_portion(unsigned class);
 

@@ -160,6 +160,25 @@ set_bytes(const struct option_row *row, const char *text)
 }
 
 static const char *
+set_choice(const struct option_row *row, const char *text)
+{
+	size_t length = strlen(text);
+	const char *name = row->argument;
+
+	for (unsigned number = 0;; number++, name++) {
+		size_t size = strcspn(name, "|");
+
+		if (size == length && !memcmp(name, text, size)) {
+			*(unsigned *)row->target = number;
+			return NULL;
+		}
+		name += size;
+		if (!*name)
+			return "not one of ";
+	}
+}
+
+static const char *
 set_value(const struct option_row *row, const char *text)
 {
 	switch (row->type) {
@@ -175,6 +194,8 @@ set_value(const struct option_row *row, const char *text)
 		return set_number(row, text);
 	case OPTION_BYTES:
 		return set_bytes(row, text);
+	case OPTION_CHOICE:
+		return set_choice(row, text);
 	case OPTION_PARSE:
 		return row->parse(row->target, text);
 	case OPTION_END:
@@ -292,7 +313,23 @@ remember(struct parse *parse, const struct option_row *row, const char *value)
 	return value ? append_word(parse, " ", value) : 0;
 }
 
-/* " (from 1 to 512)", " (at least 1)", or nothing. */
+/* "glb, gltf", cut where there is no more room. */
+static void
+list_choices(const char *names, char list[MAX_RANGE])
+{
+	size_t at = 0;
+
+	for (; *names && at < MAX_RANGE - 2; names++) {
+		list[at++] = *names;
+		if (*names == '|') {
+			list[at - 1] = ',';
+			list[at++] = ' ';
+		}
+	}
+	list[at] = '\0';
+}
+
+/* " (from 1 to 512)", " (at least 1)", "glb, gltf", or nothing. */
 static const char *
 range_of(const struct option_row *row, char range[MAX_RANGE])
 {
@@ -300,7 +337,9 @@ range_of(const struct option_row *row, char range[MAX_RANGE])
 		row->type == OPTION_UNSIGNED || row->type == OPTION_NUMBER;
 
 	*range = '\0';
-	if (is_number && row->high > 0)
+	if (row->type == OPTION_CHOICE)
+		list_choices(row->argument, range);
+	else if (is_number && row->high > 0)
 		snprintf(range, MAX_RANGE, " (from %.15g to %.15g)", row->low,
 			row->high);
 	else if (is_number)

@@ -35,6 +35,8 @@ enum option_type {
 	OPTION_UNSIGNED, /* unsigned *: a whole number within low…high */
 	OPTION_NUMBER, /* double *: a number within low…high */
 	OPTION_BYTES, /* uint64_t *: a whole number, K, M, G = 1024ⁿ */
+	OPTION_CHOICE, /* unsigned * or enum *: which of the names, from 0, that
+	                  stand in `argument`: "glb|gltf" */
 	OPTION_PARSE, /* by `parse` */
 };
 

@@ -32,16 +32,6 @@ parse_lods(void *target, const char *argument)
 	}
 }
 
-static const char *
-parse_ade(void *target, const char *argument)
-{
-	bool *drop = target;
-
-	*drop = !strcmp(argument, "drop");
-	return *drop || !strcmp(argument, "keep") ? NULL
-						  : "neither keep nor drop";
-}
-
 /* The folder of a file: "." without a slash in its name; the caller frees. */
 static char *
 folder_of(const char *name)
@@ -101,6 +91,7 @@ main(int argc, char **argv)
 		.reading.max_feature = (uint64_t)2 << 30,
 		.reading.max_library = 16 << 20,
 	};
+	enum { EXTENSIONS_KEEP, EXTENSIONS_DROP } extensions = EXTENSIONS_KEEP;
 	uint64_t max_bytes = 0;
 	const struct option_row rows[] = {
 		{.type = OPTION_PARSE,
@@ -111,13 +102,12 @@ main(int argc, char **argv)
 				"in 0,2.",
 			.target = &options.lods,
 			.parse = parse_lods},
-		{.type = OPTION_PARSE,
+		{.type = OPTION_CHOICE,
 			.name = "ade",
-			.argument = "HOW",
+			.argument = "keep|drop",
 			.help = "What extensions add: keep (the default) or "
 				"drop.",
-			.target = &options.reading.drop_extensions,
-			.parse = parse_ade},
+			.target = &extensions},
 		{.type = OPTION_TEXT,
 			.name = "images",
 			.argument = "DIR",
@@ -177,6 +167,7 @@ main(int argc, char **argv)
 	int exit_status = EXIT_DONE;
 
 	program_begin(&program, argc, argv, &command);
+	options.reading.drop_extensions = extensions == EXTENSIONS_DROP;
 	if (choose_folder(&options, &command, &folder, &fault) ||
 		run(&command, &options, max_bytes, &report, &fault))
 		exit_status = program_fail(&command, &fault);

@@ -223,17 +223,6 @@ report_totals(const struct command *command,
 	return status;
 }
 
-static const char *
-parse_lod(void *target, const char *argument)
-{
-	int *lod = target;
-
-	if (argument[0] < '0' || argument[0] > '4' || argument[1])
-		return "not one of 0, 1, 2, 3, 4";
-	*lod = argument[0] - '0';
-	return NULL;
-}
-
 static int
 run_command(const struct command *command, const struct options *options)
 {
@@ -271,9 +260,9 @@ main(int argc, char **argv)
 		{OPTION_PARSE, 0, "lod-a", "N",
 			"Level of detail of A (default: the highest of each "
 			"feature).",
-			&options.settings.lods[0], 0, 0, parse_lod},
+			&options.settings.lods[0], 0, 0, lod_parse},
 		{OPTION_PARSE, 0, "lod-b", "N", "Level of detail of B.",
-			&options.settings.lods[1], 0, 0, parse_lod},
+			&options.settings.lods[1], 0, 0, lod_parse},
 		{OPTION_UNSIGNED, 0, "pixels", "N",
 			"Width and height of the pictures in which to see what "
 			"is visible (default: 192; 0: none).",

@@ -222,17 +222,6 @@ parse_level(void *target, const char *argument)
 	return NULL;
 }
 
-static const char *
-parse_source(void *target, const char *argument)
-{
-	int *lod = target;
-
-	if (argument[0] < '0' || argument[0] > '4' || argument[1])
-		return "not one of 0, 1, 2, 3, 4";
-	*lod = argument[0] - '0';
-	return NULL;
-}
-
 static void
 settle_levels(const struct command *command, struct options *options)
 {
@@ -269,7 +258,7 @@ main(int argc, char **argv)
 		{OPTION_PARSE, 0, "from", "N",
 			"Level that is simplified (default: the highest of "
 			"each feature).",
-			&options.settings.source, 0, 0, parse_source},
+			&options.settings.source, 0, 0, lod_parse},
 		{OPTION_FLAG, 0, "expand", NULL,
 			"Make placed prototypes geometry of the objects, and "
 			"simplify it with them.",

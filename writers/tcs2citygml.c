@@ -33,20 +33,6 @@ struct run {
 	struct document document;
 };
 
-static const char *
-parse_version(void *target, const char *argument)
-{
-	static const char *const names[] = {"1.0", "2.0", "3.0"};
-	enum gml_version *version = target;
-
-	for (unsigned i = 0; i < 3; i++)
-		if (!strcmp(argument, names[i])) {
-			*version = (enum gml_version)i;
-			return NULL;
-		}
-	return "not one of 1.0, 2.0, 3.0";
-}
-
 /* Palettes are taken here: workers look at them under the same lock. */
 static enum tcs_status
 take_palette(struct run *run, const struct tcs_record *record,
@@ -269,12 +255,11 @@ main(int argc, char **argv)
 	struct options asked = {
 		.version = GML_2_0, .max_record = TCS_MAX_RECORD};
 	const struct option_row options[] = {
-		{.type = OPTION_PARSE,
+		{.type = OPTION_CHOICE,
 			.name = "citygml",
 			.argument = "1.0|2.0|3.0",
 			.help = "Write this version of CityGML (default: 2.0).",
-			.target = &asked.version,
-			.parse = parse_version},
+			.target = &asked.version},
 		{.type = OPTION_FLAG,
 			.name = "gzip",
 			.help = "Compress; names that end in .gz ask for it.",

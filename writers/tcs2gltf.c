@@ -12,12 +12,16 @@
 #include "progress.h"
 #include "report.h"
 
-enum format { FORMAT_BY_NAME, FORMAT_GLB, FORMAT_GLTF };
+/* As the option table lists them. */
+enum format { FORMAT_GLB, FORMAT_GLTF, FORMAT_BY_NAME };
+enum texture_choice { TEXTURES_KEEP, TEXTURES_DROP };
+enum origin_choice { ORIGIN_EXTRAS, ORIGIN_TRANSLATION };
 
 struct options {
 	struct stream_settings stream;
 	enum format format;
-	bool translate;
+	enum texture_choice textures;
+	enum origin_choice origin;
 	double crease; /* degrees */
 	unsigned max_columns;
 	const char *images;
@@ -28,24 +32,11 @@ static const struct options defaults = {
 	.stream = {.convert = {.lod = SELECT_HIGHEST,
 			   .triangle_limit = 256 << 20},
 		.max_record = TCS_MAX_RECORD},
+	.format = FORMAT_BY_NAME,
 	.crease = 30,
 	.max_columns = 1024,
 	.max_image = 256 << 20,
 };
-
-static const char *
-parse_format(void *target, const char *argument)
-{
-	enum format *format = target;
-
-	if (!strcmp(argument, "glb"))
-		*format = FORMAT_GLB;
-	else if (!strcmp(argument, "gltf"))
-		*format = FORMAT_GLTF;
-	else
-		return "not one of glb, gltf";
-	return NULL;
-}
 
 static const char *
 parse_lod(void *target, const char *argument)
@@ -56,64 +47,8 @@ parse_lod(void *target, const char *argument)
 		*lod = SELECT_HIGHEST;
 	else if (!strcmp(argument, "all"))
 		*lod = SELECT_ALL;
-	else if (*argument >= '0' && *argument <= '4' && !argument[1])
-		*lod = *argument - '0';
-	else
+	else if (lod_parse(lod, argument))
 		return "not one of 0, 1, 2, 3, 4, highest, all";
-	return NULL;
-}
-
-static const char *
-parse_textures(void *target, const char *argument)
-{
-	bool *drop = target;
-
-	if (strcmp(argument, "keep") && strcmp(argument, "drop"))
-		return "not one of keep, drop";
-	*drop = !strcmp(argument, "drop");
-	return NULL;
-}
-
-static const char *
-parse_instances(void *target, const char *argument)
-{
-	enum convert_instances *instances = target;
-
-	if (!strcmp(argument, "baked"))
-		*instances = INSTANCES_BAKED;
-	else if (!strcmp(argument, "nodes"))
-		*instances = INSTANCES_NODES;
-	else if (!strcmp(argument, "gpu"))
-		*instances = INSTANCES_GPU;
-	else
-		return "not one of baked, nodes, gpu";
-	return NULL;
-}
-
-static const char *
-parse_normals(void *target, const char *argument)
-{
-	enum mesh_normals *normals = target;
-
-	if (!strcmp(argument, "flat"))
-		*normals = MESH_FLAT;
-	else if (!strcmp(argument, "smooth"))
-		*normals = MESH_SMOOTH;
-	else if (!strcmp(argument, "none"))
-		*normals = MESH_PLAIN;
-	else
-		return "not one of flat, smooth, none";
-	return NULL;
-}
-
-static const char *
-parse_origin(void *target, const char *argument)
-{
-	bool *translate = target;
-
-	if (strcmp(argument, "extras") && strcmp(argument, "translation"))
-		return "not one of extras, translation";
-	*translate = !strcmp(argument, "translation");
 	return NULL;
 }
 
@@ -143,8 +78,8 @@ convert(const struct command *command, const struct options *options, FILE *in,
 			report, &progress, fault);
 	progress_end(&progress);
 	if (!status)
-		status = file_write(
-			file, &city, &head, options->translate, fault);
+		status = file_write(file, &city, &head,
+			options->origin == ORIGIN_TRANSLATION, fault);
 	stream_head_release(&head);
 	city_release(&city);
 	return status;
@@ -189,10 +124,10 @@ main(int argc, char **argv)
 	struct options options = defaults;
 	struct convert_settings *settings = &options.stream.convert;
 	const struct option_row rows[] = {
-		{OPTION_PARSE, 0, "format", "glb|gltf",
+		{OPTION_CHOICE, 0, "format", "glb|gltf",
 			"Write GLB, or .gltf and .bin (default: by the "
 			"output's name, else glb).",
-			&options.format, 0, 0, parse_format},
+			&options.format, 0, 0, NULL},
 		{OPTION_PARSE, 0, "lod", "N|highest|all",
 			"Draw this level of detail (default: the highest of "
 			"each feature).",
@@ -201,31 +136,31 @@ main(int argc, char **argv)
 			"Colour by this appearance theme (default: the first "
 			"of each object).",
 			&settings->theme, 0, 0, NULL},
-		{OPTION_PARSE, 0, "textures", "keep|drop",
+		{OPTION_CHOICE, 0, "textures", "keep|drop",
 			"Keep texture images, or colour by material and class "
 			"only (default: keep).",
-			&settings->drop_textures, 0, 0, parse_textures},
+			&options.textures, 0, 0, NULL},
 		{OPTION_TEXT, 0, "images", "DIR",
 			"Read texture images from DIR, the folder of the "
 			"source, and from nowhere else.",
 			&options.images, 0, 0, NULL},
-		{OPTION_PARSE, 0, "instances", "baked|nodes|gpu",
+		{OPTION_CHOICE, 0, "instances", "baked|nodes|gpu",
 			"Draw prototypes as part of each object, as nodes that "
 			"share a mesh, or by EXT_mesh_gpu_instancing (default: "
 			"baked).",
-			&settings->instances, 0, 0, parse_instances},
-		{OPTION_PARSE, 0, "normals", "flat|smooth|none",
+			&settings->instances, 0, 0, NULL},
+		{OPTION_CHOICE, 0, "normals", "flat|smooth|none",
 			"One normal per polygon, averaged within a surface, "
 			"or none (default: flat).",
-			&settings->normals, 0, 0, parse_normals},
+			&settings->normals, 0, 0, NULL},
 		{OPTION_NUMBER, 0, "crease", "DEGREES",
 			"Keep edges of this angle in smooth normals (default: "
 			"30).",
 			&options.crease, 0, 180, NULL},
-		{OPTION_PARSE, 0, "origin", "extras|translation",
+		{OPTION_CHOICE, 0, "origin", "extras|translation",
 			"Note the origin in extras only, or also move the "
 			"root node there (default: extras).",
-			&options.translate, 0, 0, parse_origin},
+			&options.origin, 0, 0, NULL},
 		{OPTION_UNSIGNED, 0, "max-columns", "N",
 			"Most columns of attributes in a table (default: "
 			"1024).",
@@ -266,6 +201,7 @@ main(int argc, char **argv)
 	}
 	options.stream.jobs = command.jobs;
 	options.stream.strict = command.strict;
+	settings->drop_textures = options.textures == TEXTURES_DROP;
 	settings->crease_cosine = cos(options.crease * acos(-1) / 180);
 	if (run(&command, &options, is_pair, &report, &fault))
 		code = program_fail(&command, &fault);

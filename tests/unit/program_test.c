@@ -11,7 +11,7 @@ enum { MAX_WORDS = 16 };
 
 /* A program with an option of every kind, and what it was given. */
 struct sample {
-	struct option_row rows[8];
+	struct option_row rows[9];
 	struct program program;
 	struct command command;
 	bool flag;
@@ -19,6 +19,7 @@ struct sample {
 	unsigned whole;
 	double number;
 	uint64_t bytes;
+	unsigned choice;
 	int parsed;
 };
 
@@ -51,6 +52,8 @@ sample_begin(struct sample *sample, const char *line)
 			0, NULL},
 		{OPTION_PARSE, 's', NULL, "SIDE", "Left or right.",
 			&sample->parsed, 0, 0, parse_side},
+		{OPTION_CHOICE, 'c', "choice", "one|two|three", "One of them.",
+			&sample->choice, 0, 0, NULL},
 		{.type = OPTION_END},
 	};
 	memcpy(sample->rows, rows, sizeof rows);
@@ -131,6 +134,22 @@ the_head_learns_own_options_only(void)
 }
 
 static void
+a_choice_is_the_number_of_its_name(void)
+{
+	static const char *const names[] = {"one", "two", "three"};
+
+	for (unsigned i = 0; i < 3; i++) {
+		char line[32];
+		struct sample s;
+
+		snprintf(line, sizeof line, "--choice %s", names[i]);
+		sample_begin(&s, line);
+		CHECK(s.choice == i);
+		program_end(&s.command);
+	}
+}
+
+static void
 units_of_bytes_are_powers_of_1024(void)
 {
 	struct sample s;
@@ -179,6 +198,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(values_arrive_however_they_are_spelt),
 	CHECK_TEST(operands_are_input_and_output),
 	CHECK_TEST(the_head_learns_own_options_only),
+	CHECK_TEST(a_choice_is_the_number_of_its_name),
 	CHECK_TEST(units_of_bytes_are_powers_of_1024),
 	CHECK_TEST(no_line_of_help_is_wider_than_80_columns),
 	{0},
