@@ -40,7 +40,7 @@ is_sound(const struct change *change)
 	const struct collapses *work = change->work;
 	struct tcs_point before = normal_at(change, change->from);
 	struct tcs_point after = normal_at(change, change->to);
-	struct tcs_point first = work->normals.at[change->face];
+	struct tcs_point first = work->sheets->normals.at[change->face];
 	double height = square_height(change, change->to, after);
 	double least = LEAST_HEIGHT * LEAST_HEIGHT;
 

@@ -23,6 +23,7 @@ worst_sine(const struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_point along)
 {
 	const struct seams *seams = work->seams;
+	const struct tcs_point *normals = work->sheets->normals.at;
 	double worst = 0;
 
 	for (uint32_t i = seams->nodes.at[node]; i != TCS_NONE;
@@ -35,8 +36,8 @@ worst_sine(const struct collapses *work, uint32_t node, uint32_t target,
 			stays |= seams->planes.at[k].component ==
 				plane->component;
 		if (!stays)
-			worst = fmax(
-				worst, fabs(vector_dot(plane->normal, along)));
+			worst = fmax(worst,
+				fabs(vector_dot(normals[plane->face], along)));
 	}
 	return worst;
 }

@@ -52,17 +52,14 @@ make_room(struct collapses *work, struct tcs_fault *fault)
 	array_clear(&work->borders);
 	array_clear(&work->areas);
 	array_clear(&work->targets);
-	array_clear(&work->normals);
 	if (array_grow(&work->positions, nodes) ||
 		array_grow(&work->quadrics, nodes) ||
 		array_grow(&work->borders, nodes) ||
 		array_grow(&work->areas, nodes) ||
-		array_grow(&work->targets, nodes) ||
-		array_grow(&work->normals, work->face_count))
+		array_grow(&work->targets, nodes))
 		return fault_memory(fault);
 	work->positions.count = work->quadrics.count = work->borders.count =
 		work->areas.count = work->targets.count = nodes;
-	work->normals.count = work->face_count;
 	return node_queue_reset(&work->queue, nodes, fault);
 }
 
@@ -329,7 +326,6 @@ collapses_release(struct collapses *work)
 	array_release(&work->borders);
 	array_release(&work->areas);
 	array_release(&work->targets);
-	array_release(&work->normals);
 	array_release(&work->features);
 	array_release(&work->surfaces);
 	node_queue_release(&work->queue);

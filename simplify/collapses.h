@@ -33,7 +33,6 @@ struct collapses {
 	TCS_ARRAY(struct quadric) borders; /* per node: of its surfaces */
 	TCS_ARRAY(double) areas; /* per node: of its faces, square metres */
 	TCS_ARRAY(uint32_t) targets; /* per node: the best; TCS_NONE */
-	TCS_ARRAY(struct tcs_point) normals; /* per face: at the beginning */
 	TCS_ARRAY(uint32_t) features; /* per face: its surface */
 	TCS_ARRAY(uint32_t) surfaces; /* per feature: its faces left */
 	size_t face_count; /* left */
@@ -114,7 +113,7 @@ enum tcs_status collapse_check(struct collapses *work, uint32_t node,
 enum tcs_status collapse_do(struct collapses *work, uint32_t node,
 	uint32_t target, struct tcs_fault *fault) TCS_CHECKED;
 
-/* Fill positions, normals, quadrics and areas. */
+/* Fill positions, quadrics and areas. */
 void collapses_weigh(struct collapses *work);
 
 /* Fill the quadrics of the borders between surfaces. Fails with

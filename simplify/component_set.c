@@ -167,7 +167,7 @@ find_open(struct component_set *set)
 }
 
 static enum tcs_status
-grow_trees(struct component_set *set, struct tcs_fault *fault)
+bound_components(struct component_set *set, struct tcs_fault *fault)
 {
 	size_t count = set->components.count;
 	struct box *boxes = calloc(count + 1, sizeof *boxes);
@@ -177,14 +177,9 @@ grow_trees(struct component_set *set, struct tcs_fault *fault)
 	if (!boxes || !items)
 		status = fault_memory(fault);
 	for (size_t i = 0; !status && i < count; i++) {
-		struct component *component = &set->components.at[i];
-
-		measure(set, component);
-		boxes[i] = component->box;
+		measure(set, &set->components.at[i]);
+		boxes[i] = set->components.at[i].box;
 		items[i] = (uint32_t)i;
-		status = triangle_tree_add(&set->tree, set->points.at,
-			set->triangles.at, set->order.at + component->first,
-			component->count, &component->root, fault);
 	}
 	if (!status && count > 0)
 		status = box_tree_add(&set->boxes, boxes, items, count,
@@ -195,7 +190,7 @@ grow_trees(struct component_set *set, struct tcs_fault *fault)
 }
 
 enum tcs_status
-component_set_build(struct component_set *set, struct tcs_fault *fault)
+component_set_join(struct component_set *set, struct tcs_fault *fault)
 {
 	enum tcs_status status = weld(set, fault);
 
@@ -207,7 +202,22 @@ component_set_build(struct component_set *set, struct tcs_fault *fault)
 	if (status)
 		return status;
 	find_open(set);
-	return grow_trees(set, fault);
+	return bound_components(set, fault);
+}
+
+enum tcs_status
+component_set_build(struct component_set *set, struct tcs_fault *fault)
+{
+	enum tcs_status status = component_set_join(set, fault);
+
+	for (size_t i = 0; !status && i < set->components.count; i++) {
+		struct component *component = &set->components.at[i];
+
+		status = triangle_tree_add(&set->tree, set->points.at,
+			set->triangles.at, set->order.at + component->first,
+			component->count, &component->root, fault);
+	}
+	return status;
 }
 
 void

@@ -48,6 +48,11 @@ enum tcs_status component_set_add(struct component_set *set,
 enum tcs_status component_set_build(
 	struct component_set *set, struct tcs_fault *fault) TCS_CHECKED;
 
+/* The same without trees over the triangles: `tree` and the components' roots
+   are not set. */
+enum tcs_status component_set_join(
+	struct component_set *set, struct tcs_fault *fault) TCS_CHECKED;
+
 void component_set_clear(struct component_set *set);
 void component_set_release(struct component_set *set);
 

@@ -33,21 +33,18 @@ static void
 add_face(struct collapses *work, size_t face)
 {
 	const uint32_t *corners = corners_of(work, face);
-	struct tcs_point at[3], normal;
+	struct tcs_point normal = work->sheets->normals.at[face];
+	struct triangle_shape shape;
 	double area;
 
 	for (int k = 0; k < 3; k++)
-		at[k] = work->positions.at[node_of(work, corners[k])];
-	normal = vector_cross(vector_difference(at[1], at[0]),
-		vector_difference(at[2], at[0]));
-	area = vector_length(normal) / 2;
-	normal = unit(normal);
-	work->normals.at[face] = normal;
+		shape.corner[k] = work->positions.at[node_of(work, corners[k])];
+	area = triangle_area(&shape);
 	for (int k = 0; k < 3; k++) {
 		uint32_t node = node_of(work, corners[k]);
 
 		quadric_add_plane(&work->quadrics.at[node], normal,
-			-vector_dot(normal, at[0]), area);
+			-vector_dot(normal, shape.corner[0]), area);
 		work->areas.at[node] += area;
 	}
 }
@@ -55,8 +52,8 @@ add_face(struct collapses *work, size_t face)
 static bool
 is_sharp(const struct collapses *work, size_t face, size_t other)
 {
-	return vector_dot(work->normals.at[face], work->normals.at[other]) <
-		SHARP_COSINE;
+	return vector_dot(work->sheets->normals.at[face],
+		       work->sheets->normals.at[other]) < SHARP_COSINE;
 }
 
 /* 0 where the edge is nothing to keep. */
@@ -82,7 +79,7 @@ add_edge(struct collapses *work, size_t corner)
 	struct tcs_point along =
 		vector_difference(work->positions.at[ends[1]], from);
 	struct tcs_point across =
-		unit(vector_cross(along, work->normals.at[face]));
+		unit(vector_cross(along, work->sheets->normals.at[face]));
 
 	if (!(penalty > 0))
 		return;
@@ -111,8 +108,8 @@ add_border(struct collapses *work, uint32_t node, const struct spoke *spoke,
 	for (int i = 0; i < 2; i++)
 		leads[i] = work->leads[work->features.at[faces[i]]];
 	for (int i = 0; i < 2; i++) {
-		struct tcs_point across =
-			unit(vector_cross(along, work->normals.at[faces[i]]));
+		struct tcs_point across = unit(vector_cross(
+			along, work->sheets->normals.at[faces[i]]));
 
 		if (leads[1 - i] && !leads[i])
 			continue;

@@ -105,7 +105,7 @@ lod_source_load(struct lod_source *source, const struct tcs_object *object,
 			status = take_geometry(source, object,
 				&object->geometries.at[i], &frame, fault);
 	if (!status)
-		status = component_set_build(&source->set, fault);
+		status = component_set_join(&source->set, fault);
 	return status;
 }
 

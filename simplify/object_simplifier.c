@@ -30,11 +30,8 @@ prepare(struct object_simplifier *simplifier,
 	if (status)
 		return status;
 	reach = contact_reach(set);
-	status = contacts_find(set, reach, &simplifier->contacts, fault);
-	if (!status)
-		status =
-			seams_find(&simplifier->seams, set, &simplifier->sheets,
-				&simplifier->contacts, reach, fault);
+	status = seams_find(&simplifier->seams, set, &simplifier->sheets, reach,
+		&simplifier->contacts, fault);
 	if (!status)
 		status = collapses_begin(&simplifier->collapses, set,
 			&simplifier->sheets, &simplifier->seams,

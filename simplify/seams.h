@@ -7,18 +7,13 @@
  * where one of them is nearest the other is not farther than a limit: there the
  * contact does not gape, wherever the two have moved together.
  *
- * source: W, boundary vertices, embedded edges, buffer, collapse reference
- * planes (Wang et al. 2021, ISPRS IJGI 10, 422).
+ * source: W, boundary vertices, collapse reference planes (Wang et al. 2021,
+ * ISPRS IJGI 10, 422).
  */
 #ifndef TESSERA_SEAMS_H
 #define TESSERA_SEAMS_H
 
-#include "contacts.h"
-#include "sheets.h"
-
-enum {
-	SEAM_POINTS = 24, /* watched of a contact, at most */
-};
+#include "touches.h"
 
 /* How far the faces that hold a point may come apart where they touched:
    metres, and a multiple of what counts as touching where that is more. */
@@ -44,8 +39,7 @@ struct seam_count {
 /* A boundary vertex and the face of another component that it meets. */
 struct seam_plane {
 	uint32_t next; /* plane of the same node; TCS_NONE */
-	uint32_t component; /* the other */
-	struct tcs_point normal; /* of length 1 */
+	uint32_t component, face; /* the other */
 };
 
 /* All zero is empty; reused from object to object. */
@@ -56,17 +50,18 @@ struct seams {
 	TCS_ARRAY(struct seam_count) counts; /* per contact */
 	TCS_ARRAY(struct seam_plane) planes;
 	TCS_ARRAY(uint32_t) nodes; /* per node: its first plane; TCS_NONE */
-	TCS_ARRAY(struct seam_point) found; /* scratch */
-	TCS_ARRAY(uint32_t) found_faces; /* scratch: two per point */
 };
 
 /*
- * Follow the seams of the contacts. Takes n log n steps for n triangles and
- * the pairs of triangles that are within `reach`. Fails with TCS_NO_MEMORY.
+ * Find the contacts, as contacts_find does, and their seams. On set->jobs
+ * threads, with the same result for any number of them. Takes n log n steps
+ * for n triangles, and a few for every pair of components whose boxes meet and
+ * for every vertex or edge and the faces near it. Fails with TCS_NO_MEMORY,
+ * TCS_LIMIT.
  */
 enum tcs_status seams_find(struct seams *seams, const struct component_set *set,
-	const struct sheets *sheets, const struct contact_list *contacts,
-	double reach, struct tcs_fault *fault) TCS_CHECKED;
+	const struct sheets *sheets, double reach,
+	struct contact_list *contacts, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Let a face hold what another, or none, has held. */
 void seams_move_hold(struct seams *seams, uint32_t hold, uint32_t face);

@@ -293,6 +293,27 @@ flatten(struct split *split)
 }
 
 static enum tcs_status
+find_normals(struct split *split, struct tcs_fault *fault)
+{
+	struct sheets *sheets = split->sheets;
+	size_t count = sheets->face_triangles.count;
+
+	if (array_grow(&sheets->normals, count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < count; i++) {
+		struct triangle_shape shape = component_set_shape(
+			split->set, sheets->face_triangles.at[i]);
+		struct tcs_point normal = triangle_normal(&shape);
+		double length = vector_length(normal);
+
+		sheets->normals.at[i] =
+			length > 0 ? vector_scaled(normal, 1 / length) : normal;
+	}
+	sheets->normals.count = count;
+	return TCS_OK;
+}
+
+static enum tcs_status
 build(struct split *split, uint32_t *seen, struct tcs_fault *fault)
 {
 	enum tcs_status status = number_faces(split, fault);
@@ -305,7 +326,7 @@ build(struct split *split, uint32_t *seen, struct tcs_fault *fault)
 	status = number_nodes(split, seen, fault);
 	if (!status)
 		status = number_vertices(split, fault);
-	return status;
+	return status ? status : find_normals(split, fault);
 }
 
 enum tcs_status
@@ -327,6 +348,7 @@ sheets_build(struct sheets *sheets, const struct component_set *set,
 	array_clear(&sheets->triangle_faces);
 	array_clear(&sheets->corners);
 	array_clear(&sheets->opposites);
+	array_clear(&sheets->normals);
 	sheets->node_count = 0;
 	if (!split.parents || !seen)
 		status = fault_memory(fault);
@@ -347,4 +369,5 @@ sheets_release(struct sheets *sheets)
 	array_release(&sheets->triangle_faces);
 	array_release(&sheets->corners);
 	array_release(&sheets->opposites);
+	array_release(&sheets->normals);
 }

@@ -33,6 +33,7 @@ struct sheets {
 	TCS_ARRAY(uint32_t) triangle_faces; /* back; TCS_NONE: collapsed */
 	TCS_ARRAY(uint32_t) corners; /* three vertices per face */
 	TCS_ARRAY(uint32_t) opposites; /* as half_edges_new takes them */
+	TCS_ARRAY(struct tcs_point) normals; /* per face: of length 1, or 0 */
 	size_t node_count;
 };
 

@@ -1,0 +1,69 @@
+/*
+ * Which faces of a component are near a box: boxes of the faces in single
+ * precision, eight to a block, and blocks of blocks above them. Faces of large
+ * components stand along a curve that fills space, so that a block is compact.
+ *
+ * source: I. Wald et al., Getting rid of packets: efficient SIMD single-ray
+ * traversal using multi-branching BVHs, 2008; G. Morton, A computer oriented
+ * geodetic data base and a new technique in file sequencing, 1966.
+ */
+#ifndef TESSERA_FACE_BOXES_H
+#define TESSERA_FACE_BOXES_H
+
+#include "sheets.h"
+
+enum { BLOCK_BOXES = 8 };
+
+/* Not smaller than what it is around. */
+struct float_box {
+	float low[3], high[3];
+};
+
+/* Room that is not used has boxes that meet nothing. */
+struct box_block {
+	float low[3][BLOCK_BOXES], high[3][BLOCK_BOXES];
+};
+
+/* The blocks of a component: those over its faces, then level by level those
+   over blocks; the last is alone. */
+struct face_run {
+	uint32_t first_block;
+	uint32_t first_face, face_count; /* of `faces` */
+};
+
+/* All zero is empty; reused from object to object. */
+struct face_boxes {
+	TCS_ARRAY(struct face_run) runs; /* per component */
+	TCS_ARRAY(struct box_block) blocks;
+	TCS_ARRAY(uint32_t) faces; /* in the order of their boxes */
+};
+
+TCS_ARRAY_TYPE(face_list, uint32_t);
+
+/* The box around two points and all that is within `reach` of them. */
+struct float_box float_box_around(
+	struct tcs_point a, struct tcs_point b, double reach);
+
+static inline bool
+float_boxes_meet(const struct float_box *a, const struct float_box *b)
+{
+	return a->low[0] <= b->high[0] && a->high[0] >= b->low[0] &&
+		a->low[1] <= b->high[1] && a->high[1] >= b->low[1] &&
+		a->low[2] <= b->high[2] && a->high[2] >= b->low[2];
+}
+
+/* Over all faces of the sheets. Takes n log n steps. Fails with
+   TCS_NO_MEMORY. */
+enum tcs_status face_boxes_build(struct face_boxes *boxes,
+	const struct component_set *set, const struct sheets *sheets,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* List the faces of a component whose boxes meet `box`, always in the same
+   order. Fails with TCS_NO_MEMORY. */
+enum tcs_status face_boxes_near(const struct face_boxes *boxes,
+	uint32_t component, const struct float_box *box, struct face_list *out,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+void face_boxes_release(struct face_boxes *boxes);
+
+#endif

@@ -1,0 +1,529 @@
+#include "touches.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "enclosure.h"
+#include "vector.h"
+
+/* Edges are lengthened by this share of their length for the test. */
+#define BUFFER 0.01
+
+/* Planes this parallel are one. */
+#define SAME_PLANE 0.999
+
+/* Metres: places this near to each other are one. */
+#define SAME_PLACE 0.001
+
+/* One component looking at the other. */
+struct look {
+	const struct touch_scene *scene;
+	struct touches *touches;
+	uint32_t components[2]; /* a and b */
+	int side; /* the one whose vertices and edges are asked */
+	bool touching;
+	struct tcs_fault *fault;
+};
+
+/* An edge, as its face winds. */
+struct edge {
+	uint32_t corner;
+	struct tcs_point from, to;
+};
+
+/* ---- the mesh ------------------------------------------------------------ */
+
+static uint32_t
+node_at(const struct look *look, uint32_t corner)
+{
+	const struct sheets *sheets = look->scene->sheets;
+
+	return sheets->vertex_nodes.at[sheets->corners.at[corner]];
+}
+
+static struct tcs_point
+position_at(const struct look *look, uint32_t corner)
+{
+	const struct component_set *set = look->scene->set;
+	uint32_t triangle = look->scene->sheets->face_triangles.at[corner / 3];
+
+	return set->points.at[set->triangles.at[triangle].corner[corner % 3]];
+}
+
+static struct triangle_shape
+shape_of(const struct look *look, uint32_t face)
+{
+	return component_set_shape(
+		look->scene->set, look->scene->sheets->face_triangles.at[face]);
+}
+
+static struct edge
+edge_at(const struct look *look, uint32_t corner)
+{
+	uint32_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
+
+	return (struct edge){
+		corner, position_at(look, corner), position_at(look, next)};
+}
+
+/* Every edge is asked at one of its corners. */
+static bool
+is_asked(const struct look *look, uint32_t corner)
+{
+	uint32_t back = look->scene->sheets->opposites.at[corner];
+
+	return back == HALF_EDGE_NONE || corner < back;
+}
+
+/* How far a point is above the plane of a face; 0 if it has none. */
+static double
+height_over(const struct look *look, uint32_t face, struct tcs_point point)
+{
+	return vector_dot(look->scene->sheets->normals.at[face],
+		vector_difference(point, position_at(look, 3 * face)));
+}
+
+/* ---- what is found ------------------------------------------------------- */
+
+static enum tcs_status
+add_place(struct look *look, struct tcs_point at, double gap, uint32_t own,
+	uint32_t other)
+{
+	struct touches *touches = look->touches;
+
+	if (array_grow(&touches->places, 1))
+		return fault_memory(look->fault);
+	touches->places.at[touches->places.count++] = (struct touch){
+		at, gap, {look->side ? other : own, look->side ? own : other}};
+	return TCS_OK;
+}
+
+static enum tcs_status
+add_plane(struct look *look, uint32_t node, uint32_t face)
+{
+	struct touches *touches = look->touches;
+
+	if (array_grow(&touches->planes, 1))
+		return fault_memory(look->fault);
+	touches->planes.at[touches->planes.count++] = (struct touch_plane){
+		node, look->components[1 - look->side], face};
+	return TCS_OK;
+}
+
+static enum tcs_status
+list_near(struct look *look, const struct float_box *box, struct face_list *out)
+{
+	return face_boxes_near(look->scene->boxes,
+		look->components[1 - look->side], box, out, look->fault);
+}
+
+/* ---- vertices ------------------------------------------------------------ */
+
+static enum tcs_status
+ask_vertex(struct look *look, uint32_t corner)
+{
+	double reach = look->scene->reach, least = INFINITY;
+	struct tcs_point at = position_at(look, corner);
+	struct float_box box = float_box_around(at, at, reach);
+	const struct face_list *there = &look->touches->there;
+	enum tcs_status status = list_near(look, &box, &look->touches->there);
+	uint32_t nearest = TCS_NONE;
+
+	for (size_t i = 0; !status && i < there->count; i++) {
+		uint32_t face = there->at[i];
+		struct triangle_shape shape;
+		double gap;
+
+		if (fabs(height_over(look, face, at)) > reach)
+			continue;
+		shape = shape_of(look, face);
+		gap = vector_length(
+			vector_difference(at, triangle_nearest(&shape, at)));
+		if (gap > reach)
+			continue;
+		if (gap < least) {
+			least = gap;
+			nearest = face;
+		}
+		status = add_plane(look, node_at(look, corner), face);
+	}
+	if (status || nearest == TCS_NONE)
+		return status;
+	look->touching = true;
+	return add_place(look, at, least, corner / 3, nearest);
+}
+
+/* ---- edges that pierce --------------------------------------------------- */
+
+/*
+ * An edge that lies in the other component between two parallel faces, the
+ * diagonal of a quad: the corners across it are boundary vertices, too.
+ */
+static enum tcs_status
+add_embedded(struct look *look, uint32_t corner, uint32_t other)
+{
+	const struct sheets *sheets = look->scene->sheets;
+	uint32_t back = sheets->opposites.at[corner];
+	const struct tcs_point *normals = sheets->normals.at;
+	enum tcs_status status;
+
+	if (back == HALF_EDGE_NONE ||
+		vector_dot(normals[corner / 3], normals[back / 3]) < SAME_PLANE)
+		return TCS_OK;
+	status = add_plane(look,
+		node_at(look, corner - corner % 3 + (corner + 2) % 3), other);
+	return status ? status
+		      : add_plane(look,
+				node_at(look, back - back % 3 + (back + 2) % 3),
+				other);
+}
+
+static struct edge
+lengthened(const struct edge *edge)
+{
+	struct tcs_point along = vector_difference(edge->to, edge->from);
+
+	return (struct edge){edge->corner,
+		vector_along(edge->from, along, -BUFFER),
+		vector_along(edge->to, along, BUFFER)};
+}
+
+/* The end that lies inside is a boundary vertex. */
+static enum tcs_status
+pierce(struct look *look, const struct edge *edge, const struct edge *longer,
+	uint32_t face)
+{
+	double from = height_over(look, face, longer->from);
+	double to = height_over(look, face, longer->to);
+	uint32_t corner = edge->corner;
+	struct triangle_shape shape;
+	enum tcs_status status;
+	struct tcs_point at;
+
+	if ((from < 0) == (to < 0))
+		return TCS_OK;
+	shape = shape_of(look, face);
+	if (!triangle_pierced(&shape,
+		    (struct tcs_point[]){longer->from, longer->to}, &at))
+		return TCS_OK;
+	look->touching |= (height_over(look, face, edge->from) < 0) !=
+		(height_over(look, face, edge->to) < 0);
+	status = add_place(look, at, 0, corner / 3, face);
+	if (!status)
+		status = add_plane(look,
+			node_at(look,
+				to >= from		  ? corner
+					: corner % 3 == 2 ? corner - 2
+							  : corner + 1),
+			face);
+	return status ? status : add_embedded(look, corner, face);
+}
+
+static enum tcs_status
+ask_edge(struct look *look, uint32_t corner)
+{
+	struct edge edge = edge_at(look, corner);
+	struct edge longer = lengthened(&edge);
+	struct float_box box = float_box_around(longer.from, longer.to, 0);
+	const struct face_list *there = &look->touches->there;
+	enum tcs_status status = list_near(look, &box, &look->touches->there);
+
+	for (size_t i = 0; !status && i < there->count; i++)
+		status = pierce(look, &edge, &longer, there->at[i]);
+	return status;
+}
+
+/* ---- edges near edges ---------------------------------------------------- */
+
+static enum tcs_status
+compare_edges(struct look *look, const struct edge *edge, uint32_t face)
+{
+	double reach = look->scene->reach;
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = 3 * face; !status && i < 3 * face + 3; i++) {
+		struct edge other = edge_at(look, i);
+		struct tcs_point points[2];
+		double gap;
+
+		if (!is_asked(look, i))
+			continue;
+		gap = segment_gap((struct tcs_point[]){edge->from, edge->to},
+			(struct tcs_point[]){other.from, other.to}, points);
+		if (gap > reach)
+			continue;
+		look->touching = true;
+		status =
+			add_place(look, points[0], gap, edge->corner / 3, face);
+	}
+	return status;
+}
+
+static enum tcs_status
+ask_near_edges(struct look *look, uint32_t corner)
+{
+	struct edge edge = edge_at(look, corner);
+	struct float_box box =
+		float_box_around(edge.from, edge.to, look->scene->reach);
+	const struct face_list *there = &look->touches->there;
+	enum tcs_status status = list_near(look, &box, &look->touches->there);
+
+	for (size_t i = 0; !status && i < there->count; i++)
+		status = compare_edges(look, &edge, there->at[i]);
+	return status;
+}
+
+/* ---- one side ------------------------------------------------------------ */
+
+static struct float_box
+box_around_component(const struct look *look, uint32_t component)
+{
+	const struct box *box = &look->scene->set->components.at[component].box;
+
+	return float_box_around(
+		(struct tcs_point){box->low[0], box->low[1], box->low[2]},
+		(struct tcs_point){box->high[0], box->high[1], box->high[2]},
+		look->scene->reach);
+}
+
+static bool
+is_first_corner(const struct look *look, uint32_t corner)
+{
+	return look->scene->node_corners[node_at(look, corner)] == corner;
+}
+
+typedef enum tcs_status ask(struct look *look, uint32_t corner);
+
+/* Every edge of the faces listed whose box meets that of the other side. */
+static enum tcs_status
+ask_edges(struct look *look, const struct float_box *other, ask *ask_one)
+{
+	const struct face_list *near = &look->touches->near;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < 3 * near->count; i++) {
+		uint32_t corner = 3 * near->at[i / 3] + (uint32_t)(i % 3);
+		struct float_box box;
+		struct edge edge;
+
+		if (!is_asked(look, corner))
+			continue;
+		edge = edge_at(look, corner);
+		box = float_box_around(edge.from, edge.to, 0);
+		if (float_boxes_meet(&box, other))
+			status = ask_one(look, corner);
+	}
+	return status;
+}
+
+static enum tcs_status
+ask_vertices(struct look *look, const struct float_box *other)
+{
+	const struct face_list *near = &look->touches->near;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; !status && i < 3 * near->count; i++) {
+		uint32_t corner = 3 * near->at[i / 3] + (uint32_t)(i % 3);
+		struct tcs_point at;
+		struct float_box box;
+
+		if (!is_first_corner(look, corner))
+			continue;
+		at = position_at(look, corner);
+		box = float_box_around(at, at, 0);
+		if (float_boxes_meet(&box, other))
+			status = ask_vertex(look, corner);
+	}
+	return status;
+}
+
+/* List the faces of the side that are near the other's box. */
+static enum tcs_status
+list_own(struct look *look, struct float_box *other)
+{
+	*other = box_around_component(look, look->components[1 - look->side]);
+	return face_boxes_near(look->scene->boxes, look->components[look->side],
+		other, &look->touches->near, look->fault);
+}
+
+static enum tcs_status
+look_across(struct look *look)
+{
+	struct float_box other;
+	enum tcs_status status = list_own(look, &other);
+
+	if (!status)
+		status = ask_vertices(look, &other);
+	return status ? status : ask_edges(look, &other, ask_edge);
+}
+
+/* ---- one inside the other ------------------------------------------------ */
+
+/* Surfaces that do not touch: one of the inner one's points tells where all
+   of it lies. */
+static enum tcs_status
+look_inside(struct look *look, int outer, struct contact *contact)
+{
+	const struct touch_scene *scene = look->scene;
+	uint32_t shell = look->components[outer];
+	const struct component *inner =
+		&scene->set->components.at[look->components[1 - outer]];
+	bool encloses = false;
+	enum tcs_status status = TCS_OK;
+
+	contact->at = component_set_shape(
+		scene->set, scene->set->order.at[inner->first])
+			      .corner[0];
+	if (scene->set->components.at[shell].closed &&
+		!(box_distance_squared(&scene->set->components.at[shell].box,
+			  contact->at) > 0))
+		status = component_encloses(scene->set, scene->sheets,
+			scene->boxes, shell, contact->at, &look->touches->there,
+			&encloses, look->fault);
+	contact->inside = encloses;
+	return status;
+}
+
+/* ---- the places that are kept -------------------------------------------- */
+
+static bool
+is_same_place(struct tcs_point a, struct tcs_point b)
+{
+	return fabs(a.x - b.x) <= SAME_PLACE && fabs(a.y - b.y) <= SAME_PLACE &&
+		fabs(a.z - b.z) <= SAME_PLACE;
+}
+
+static int
+compare_numbers(double a, double b)
+{
+	return (a > b) - (a < b);
+}
+
+static int
+by_place(const void *left, const void *right)
+{
+	const struct touch *a = left, *b = right;
+	int order = compare_numbers(a->at.x, b->at.x);
+
+	if (!order)
+		order = compare_numbers(a->at.y, b->at.y);
+	if (!order)
+		order = compare_numbers(a->at.z, b->at.z);
+	if (!order)
+		order = compare_numbers(a->faces[0], b->faces[0]);
+	return order ? order : compare_numbers(a->faces[1], b->faces[1]);
+}
+
+/* Each place once, as far as the last few found tell. */
+static size_t
+drop_repeated(struct touch *places, size_t count)
+{
+	size_t kept = 0;
+
+	for (size_t i = 0; i < count; i++) {
+		size_t k = kept > TOUCH_PLACES ? kept - TOUCH_PLACES : 0;
+
+		while (k < kept && !is_same_place(places[k].at, places[i].at))
+			k++;
+		if (k == kept)
+			places[kept++] = places[i];
+	}
+	return kept;
+}
+
+/* Of many those that are spread evenly. */
+static void
+thin_out(struct touches *touches, size_t first)
+{
+	struct touch *places = touches->places.at + first;
+	size_t count = touches->places.count - first;
+
+	if (count > TOUCH_PLACES)
+		qsort(places, count, sizeof *places, by_place);
+	count = drop_repeated(places, count);
+	if (count > TOUCH_PLACES) {
+		for (size_t i = 0; i < TOUCH_PLACES; i++)
+			places[i] =
+				places[i * (count - 1) / (TOUCH_PLACES - 1)];
+		count = TOUCH_PLACES;
+	}
+	touches->places.count = first + count;
+}
+
+/* ---- two components ------------------------------------------------------ */
+
+/* No vertex is in reach, no edge pierces. */
+static enum tcs_status
+compare_all_edges(struct look *look)
+{
+	struct float_box other;
+	enum tcs_status status;
+
+	look->side = 0;
+	status = list_own(look, &other);
+	return status ? status : ask_edges(look, &other, ask_near_edges);
+}
+
+static enum tcs_status
+add_contact(struct touches *touches, const struct contact *contact,
+	struct tcs_fault *fault)
+{
+	if (array_grow(&touches->contacts, 1) || array_grow(&touches->ends, 1))
+		return fault_memory(fault);
+	touches->contacts.at[touches->contacts.count++] = *contact;
+	touches->ends.at[touches->ends.count++] =
+		(uint32_t)touches->places.count;
+	return TCS_OK;
+}
+
+enum tcs_status
+touches_add(struct touches *touches, const struct touch_scene *scene,
+	uint32_t a, uint32_t b, struct tcs_fault *fault)
+{
+	struct look look = {.scene = scene,
+		.touches = touches,
+		.components = {a, b},
+		.fault = fault};
+	size_t places = touches->places.count, planes = touches->planes.count;
+	struct contact contact = {.a = a, .b = b};
+	enum tcs_status status = TCS_OK;
+
+	for (; !status && look.side < 2; look.side++)
+		status = look_across(&look);
+	if (!status && !look.touching)
+		status = compare_all_edges(&look);
+	if (status)
+		return status;
+	if (look.touching) {
+		contact.at = touches->places.at[places].at;
+		thin_out(touches, places);
+		return add_contact(touches, &contact, fault);
+	}
+	touches->places.count = places;
+	touches->planes.count = planes;
+	for (int outer = 0; !status && !contact.inside && outer < 2; outer++)
+		status = look_inside(&look, outer, &contact);
+	if (!status && contact.inside)
+		status = add_contact(touches, &contact, fault);
+	return status;
+}
+
+void
+touches_clear(struct touches *touches)
+{
+	array_clear(&touches->contacts);
+	array_clear(&touches->ends);
+	array_clear(&touches->places);
+	array_clear(&touches->planes);
+}
+
+void
+touches_release(struct touches *touches)
+{
+	array_release(&touches->contacts);
+	array_release(&touches->ends);
+	array_release(&touches->places);
+	array_release(&touches->planes);
+	array_release(&touches->near);
+	array_release(&touches->there);
+}

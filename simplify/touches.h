@@ -1,0 +1,64 @@
+/*
+ * Where two components touch: whether they do, the places along the seam, each
+ * with the face of either side, and the boundary vertices with the faces they
+ * meet.
+ *
+ * Every vertex is asked once which faces of the other component are within
+ * reach of it, and every edge which ones it pierces. Where neither tells, edges
+ * may still be near edges.
+ *
+ * source: W, boundary vertices, embedded edges, buffer, collapse reference
+ * planes (Wang et al. 2021, ISPRS IJGI 10, 422).
+ */
+#ifndef TESSERA_TOUCHES_H
+#define TESSERA_TOUCHES_H
+
+#include "contacts.h"
+#include "face_boxes.h"
+
+enum {
+	TOUCH_PLACES = 24, /* kept of a contact, at most */
+};
+
+/* A place along a seam. */
+struct touch {
+	struct tcs_point at; /* as the points of the set */
+	double gap; /* metres */
+	uint32_t faces[2]; /* of components a and b: the nearest */
+};
+
+/* A boundary vertex and a face of another component that it meets. */
+struct touch_plane {
+	uint32_t node, component, face; /* the latter two of the other */
+};
+
+/* What is looked at; all borrowed. */
+struct touch_scene {
+	const struct component_set *set;
+	const struct sheets *sheets;
+	const struct face_boxes *boxes;
+	const uint32_t *node_corners; /* per node: its first corner */
+	double reach; /* metres */
+};
+
+/* All zero is empty. */
+struct touches {
+	struct contact_list contacts;
+	TCS_ARRAY(uint32_t) ends; /* per contact: behind its last place */
+	TCS_ARRAY(struct touch) places; /* by contact */
+	TCS_ARRAY(struct touch_plane) planes;
+	struct face_list near, there; /* scratch */
+};
+
+/*
+ * Append what two components have in common if they are in contact, as
+ * contacts.h says: a < b. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status touches_add(struct touches *touches,
+	const struct touch_scene *scene, uint32_t a, uint32_t b,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+void touches_clear(struct touches *touches);
+void touches_release(struct touches *touches);
+
+#endif
