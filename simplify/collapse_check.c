@@ -66,6 +66,19 @@ staying_corners(const struct collapses *work, size_t count, size_t i,
 		nodes[1] != target;
 }
 
+bool
+ring_shape(const struct collapses *work, size_t count, size_t i,
+	uint32_t target, struct triangle_shape *shape)
+{
+	uint32_t nodes[2];
+
+	if (!staying_corners(work, count, i, target, nodes))
+		return false;
+	*shape = (struct triangle_shape){{work->positions.at[target],
+		work->positions.at[nodes[0]], work->positions.at[nodes[1]]}};
+	return true;
+}
+
 static double
 square_distance(struct tcs_point a, struct tcs_point b)
 {
@@ -100,18 +113,13 @@ next_holder(const struct collapses *work, size_t count, uint32_t target,
 {
 	struct holder best = {.face = TCS_NONE};
 	double least = INFINITY;
-	uint32_t nodes[2];
 
 	for (size_t i = 0; i < count; i++) {
 		struct holder holder = {.face = work->spokes.at[i].face};
 		double square;
 
-		if (!staying_corners(work, count, i, target, nodes))
+		if (!ring_shape(work, count, i, target, &holder.shape))
 			continue;
-		holder.shape =
-			(struct triangle_shape){{work->positions.at[target],
-				work->positions.at[nodes[0]],
-				work->positions.at[nodes[1]]}};
 		holder.at = triangle_nearest(&holder.shape, point);
 		square = square_distance(holder.at, point);
 		if (square < least) {
@@ -323,7 +331,8 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 			return status;
 		if (!find_edge(work, count, target, &half_edge) ||
 			!half_edges_may_collapse(work->mesh, half_edge) ||
-			!ring_is_sound(work, count, node, target))
+			!ring_is_sound(work, count, node, target) ||
+			!error_watch_allows(work, v, count, target))
 			return TCS_OK;
 		status = list_opened(work, count, target, fault);
 		if (!status && !work->settings.loose)
@@ -381,6 +390,7 @@ collapse_do(struct collapses *work, uint32_t node, uint32_t target,
 		if (status || !find_edge(work, count, target, &half_edge))
 			return status;
 		move_holds(work, count, target);
+		error_watch_follow(work, v, count, target);
 		faces = half_edges_collapse(work->mesh, half_edge, gone);
 		work->face_count -= faces;
 		for (size_t i = 0; i < faces; i++)

@@ -297,6 +297,11 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 		status = make_room(work, fault);
 	if (!status)
 		status = copy_features(work, fault);
+	if (!status)
+		status = error_watch_begin(&work->watch,
+			settings->max_error > 0 ? settings->max_error
+						: INFINITY,
+			set, sheets, fault);
 	if (status)
 		return status;
 	collapses_weigh(work);
@@ -328,6 +333,7 @@ collapses_release(struct collapses *work)
 	array_release(&work->targets);
 	array_release(&work->features);
 	array_release(&work->surfaces);
+	error_watch_release(&work->watch);
 	node_queue_release(&work->queue);
 	array_release(&work->spokes);
 	array_release(&work->candidates);

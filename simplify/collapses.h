@@ -8,6 +8,7 @@
 #ifndef TESSERA_COLLAPSES_H
 #define TESSERA_COLLAPSES_H
 
+#include "error_watch.h"
 #include "half_edges.h"
 #include "node_queue.h"
 #include "quadric.h"
@@ -18,6 +19,7 @@ struct collapse_settings {
 	double base_ratio; /* of the cost of moving a boundary vertex; >= 1 */
 	bool loose; /* seams may come open as long as one point holds, borders
 	               between surfaces may move, surfaces may vanish */
+	double max_error; /* metres, see error_watch.h; as it began; 0: any */
 };
 
 /* All zero is empty; reused from object to object. */
@@ -36,6 +38,7 @@ struct collapses {
 	TCS_ARRAY(uint32_t) features; /* per face: its surface */
 	TCS_ARRAY(uint32_t) surfaces; /* per feature: its faces left */
 	size_t face_count; /* left */
+	struct error_watch watch;
 	struct node_queue queue;
 	TCS_ARRAY(struct spoke) spokes; /* scratch */
 	TCS_ARRAY(struct queue_entry) candidates; /* scratch */
@@ -97,6 +100,18 @@ node_of(const struct collapses *work, uint32_t vertex)
 enum tcs_status spokes_of(struct collapses *work, uint32_t vertex,
 	size_t *count, struct tcs_fault *fault) TCS_CHECKED;
 
+/*
+ * Face i of the ring of a vertex, whose `count` spokes are in work->spokes,
+ * once the vertex is where `target` is, the first corner; false where there is
+ * none, or none that stays.
+ */
+bool ring_shape(const struct collapses *work, size_t count, size_t i,
+	uint32_t target, struct triangle_shape *shape);
+
+/* Whether the edge of a corner that has a face behind it is sharp, as the mesh
+   came. */
+bool edge_is_sharp(const struct collapses *work, size_t corner);
+
 /* What moving a node into another costs, square metres times area; INFINITY
    where it may not be. */
 double collapse_cost(
@@ -104,7 +119,8 @@ double collapse_cost(
 
 /*
  * Whether it may be done: the mesh stays manifold, no face turns over or
- * becomes a sliver, and the seams hold. Fails with TCS_NO_MEMORY.
+ * becomes a sliver, the surface stays where it may be, and the seams hold.
+ * Fails with TCS_NO_MEMORY.
  */
 enum tcs_status collapse_check(struct collapses *work, uint32_t node,
 	uint32_t target, bool *fine, struct tcs_fault *fault) TCS_CHECKED;

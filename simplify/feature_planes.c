@@ -49,22 +49,22 @@ add_face(struct collapses *work, size_t face)
 	}
 }
 
-static bool
-is_sharp(const struct collapses *work, size_t face, size_t other)
+bool
+edge_is_sharp(const struct collapses *work, size_t corner)
 {
-	return vector_dot(work->sheets->normals.at[face],
-		       work->sheets->normals.at[other]) < SHARP_COSINE;
+	uint32_t back = work->sheets->opposites.at[corner];
+
+	return vector_dot(work->sheets->normals.at[corner / 3],
+		       work->sheets->normals.at[back / 3]) < SHARP_COSINE;
 }
 
 /* 0 where the edge is nothing to keep. */
 static double
 penalty_of(const struct collapses *work, size_t corner)
 {
-	uint32_t back = work->sheets->opposites.at[corner];
-
-	if (back == HALF_EDGE_NONE)
+	if (work->sheets->opposites.at[corner] == HALF_EDGE_NONE)
 		return OPEN_PENALTY;
-	return is_sharp(work, corner / 3, back / 3) ? LINE_PENALTY : 0;
+	return edge_is_sharp(work, corner) ? LINE_PENALTY : 0;
 }
 
 static void

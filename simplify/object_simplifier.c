@@ -7,8 +7,8 @@
 /* In so many steps openings are dissolved. */
 #define OPENING_BATCHES 16
 
-/* Short of the rate by more than this is worth a word. */
-#define RATE_TOLERANCE 0.01
+/* Short of the goal by more than this share is worth a word. */
+#define GOAL_TOLERANCE 0.01
 
 static enum tcs_status
 prepare(struct object_simplifier *simplifier,
@@ -16,7 +16,9 @@ prepare(struct object_simplifier *simplifier,
 	struct tcs_fault *fault)
 {
 	const struct component_set *set = &simplifier->source.set;
-	const struct collapse_settings first = {settings->base_ratio, false};
+	const struct collapse_settings first = {
+		.base_ratio = settings->base_ratio,
+		.max_error = settings->max_error};
 	enum tcs_status status;
 	double reach;
 
@@ -77,43 +79,59 @@ collapse_walls(struct object_simplifier *simplifier, size_t target,
 	return status;
 }
 
+/* As far as it can be brought without falling apart. */
+static enum tcs_status
+collapse_loosely(struct collapses *work, size_t target, struct tcs_fault *fault)
+{
+	struct collapse_settings loose = work->settings;
+	enum tcs_status status = TCS_OK;
+
+	loose.loose = true;
+	if (work->face_count > target && !work->settings.loose)
+		status = collapses_resume(work, &loose, fault);
+	return status ? status : collapses_run(work, target, INFINITY, fault);
+}
+
 /*
- * Collapse down to a level: first so that all holds, then as far as it can be
- * brought without falling apart.
+ * Collapse down to a level: first so that all holds, then, if a number of
+ * triangles is wanted, as far as possible.
  */
 static enum tcs_status
 reach_level(struct object_simplifier *simplifier,
-	const struct simplify_settings *settings,
-	const struct simplify_level *level, struct tcs_fault *fault)
+	const struct simplify_level *level, size_t target,
+	struct tcs_fault *fault)
 {
 	struct collapses *work = &simplifier->collapses;
-	const struct collapse_settings last = {settings->base_ratio, true};
-	double faces = (double)simplifier->source.set.triangles.count;
-	size_t target = (size_t)ceil(faces * (1 - level->rate));
 	enum tcs_status status = TCS_OK;
 	bool any;
 
 	if (level->lod != LOD_IN_PLACE && level->lod <= 2)
 		status = dissolve_openings(simplifier, SIZE_MAX, &any, fault);
-	if (!status)
-		status = collapse_walls(simplifier, target, fault);
-	if (!status && work->face_count > target && !work->settings.loose)
-		status = collapses_resume(work, &last, fault);
-	return status ? status : collapses_run(work, target, INFINITY, fault);
+	if (status)
+		return status;
+	if (level->budget.kind == BUDGET_ERROR)
+		return collapses_run(work, 0, INFINITY, fault);
+	status = collapse_walls(simplifier, target, fault);
+	return status ? status : collapse_loosely(work, target, fault);
 }
 
 static enum tcs_status
 report_level(const struct object_simplifier *simplifier,
 	const struct tcs_object *in, const struct simplify_level *level,
-	struct report *report, struct tcs_fault *fault)
+	size_t target, struct report *report, struct tcs_fault *fault)
 {
-	double before = (double)simplifier->source.set.triangles.count;
-	double after = (double)simplifier->collapses.face_count;
+	const struct collapses *work = &simplifier->collapses;
+	double all = (double)simplifier->source.set.triangles.count;
+	double over = (double)work->face_count - (double)target;
+	const char *reason =
+		"short of its rate: no collapse is left that keeps it whole";
 
-	if (!(before > 0) || 1 - after / before >= level->rate - RATE_TOLERANCE)
+	if (level->budget.kind == BUDGET_ERROR || over <= GOAL_TOLERANCE * all)
 		return TCS_OK;
-	return report_item(report, REPORT_NOTE, "object",
-		"short of its rate: no collapse is left that keeps it whole",
+	if (work->watch.limit < INFINITY)
+		reason = "short of its rate: all that is left would move "
+			 "farther than --max-error, or tear it apart";
+	return report_item(report, REPORT_NOTE, "object", reason,
 		object_text(in, in->features.at[0].id), TCS_NOWHERE, fault);
 }
 
@@ -210,6 +228,29 @@ write_kept(struct object_simplifier *simplifier,
 	return status;
 }
 
+static enum tcs_status
+make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
+	const struct simplify_level *level, struct report *report,
+	struct tcs_fault *fault)
+{
+	struct collapses *work = &simplifier->collapses;
+	size_t target;
+	enum tcs_status status =
+		face_budget_find(&level->budget, work, &target, fault);
+
+	if (!status)
+		status = reach_level(simplifier, level, target, fault);
+	if (!status)
+		status = write_level(simplifier, in, level, fault);
+	if (!status)
+		status = report_level(
+			simplifier, in, level, target, report, fault);
+	if (!status)
+		status = report_add(
+			report, "triangles after", work->face_count, fault);
+	return status;
+}
+
 enum tcs_status
 simplify_object(struct object_simplifier *simplifier,
 	const struct simplify_settings *settings, const struct tcs_object *in,
@@ -224,19 +265,9 @@ simplify_object(struct object_simplifier *simplifier,
 			simplifier->source.set.triangles.count, fault);
 	if (!status)
 		status = write_kept(simplifier, settings, in, fault);
-	for (size_t i = 0; !status && i < settings->level_count; i++) {
-		const struct simplify_level *level = &settings->levels[i];
-
-		status = reach_level(simplifier, settings, level, fault);
-		if (!status)
-			status = write_level(simplifier, in, level, fault);
-		if (!status)
-			status = report_level(
-				simplifier, in, level, report, fault);
-		if (!status)
-			status = report_add(report, "triangles after",
-				simplifier->collapses.face_count, fault);
-	}
+	for (size_t i = 0; !status && i < settings->level_count; i++)
+		status = make_level(
+			simplifier, in, &settings->levels[i], report, fault);
 	return status;
 }
 

@@ -7,6 +7,7 @@
 #define TESSERA_OBJECT_SIMPLIFIER_H
 
 #include "collapses.h"
+#include "face_budget.h"
 #include "lod_source.h"
 #include "lod_write.h"
 #include "openings.h"
@@ -15,15 +16,17 @@
 enum { SIMPLIFY_LEVELS = 8 };
 
 struct simplify_level {
-	double rate; /* of triangles removed, 0 to 1 */
+	struct face_budget budget;
 	int lod; /* 0…4, or LOD_IN_PLACE */
 };
 
 struct simplify_settings {
-	struct simplify_level levels[SIMPLIFY_LEVELS]; /* by rising rate */
+	struct simplify_level levels[SIMPLIFY_LEVELS]; /* each leaves
+	                                                  less than the last */
 	size_t level_count;
 	int source; /* level that is simplified, see lod_select.h */
 	double base_ratio; /* of the cost of a boundary vertex */
+	double max_error; /* metres, see error_watch.h; 0: any */
 	struct tcs_crs crs;
 };
 

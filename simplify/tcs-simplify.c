@@ -12,7 +12,7 @@
 
 struct options {
 	struct simplify_settings settings;
-	double rate;
+	double rate, triangles, lambda; /* -1: not given */
 	bool expand;
 	uint64_t max_record;
 };
@@ -192,48 +192,83 @@ close_run(struct run *run)
 
 /* ---- the command line ---------------------------------------------------- */
 
+/* Shares that go by default, from the middle of what each level is meant to
+   lose; source: W, levels of detail. */
+static const double default_rates[] = {-1, 0.85, 0.5, 0.15, -1};
+
 static int
 by_rate(const void *left, const void *right)
 {
 	const struct simplify_level *a = left, *b = right;
 
-	return (a->rate > b->rate) - (a->rate < b->rate);
+	return (a->budget.amount > b->budget.amount) -
+		(a->budget.amount < b->budget.amount);
 }
 
-/* "N:RATE" */
+static const char *
+add_level(struct simplify_settings *settings, int lod, double rate)
+{
+	for (size_t i = 0; i < settings->level_count; i++)
+		if (settings->levels[i].lod == lod)
+			return "this level is wanted twice";
+	settings->levels[settings->level_count++] =
+		(struct simplify_level){{BUDGET_RATE, rate}, lod};
+	return NULL;
+}
+
+/* "N" or "N:RATE" */
 static const char *
 parse_level(void *target, const char *argument)
 {
 	struct simplify_settings *settings = target;
-	struct simplify_level level;
+	int lod = argument[0] - '0';
+	double rate;
 	char *end;
 
-	if (argument[0] < '0' || argument[0] > '4' || argument[1] != ':')
-		return "not N:RATE with N one of 0, 1, 2, 3, 4";
-	level.lod = argument[0] - '0';
-	level.rate = strtod(argument + 2, &end);
-	if (end == argument + 2 || *end || !(level.rate >= 0) ||
-		!(level.rate < 1))
+	if (lod < 0 || lod > 4 || (argument[1] && argument[1] != ':'))
+		return "not N or N:RATE with N one of 0, 1, 2, 3, 4";
+	rate = default_rates[lod];
+	if (!argument[1])
+		return rate < 0 ? "levels 0 and 4 have no rate by default"
+				: add_level(settings, lod, rate);
+	rate = strtod(argument + 2, &end);
+	if (end == argument + 2 || *end || !(rate >= 0) || !(rate < 1))
 		return "its rate is not a number from 0 to below 1";
-	for (size_t i = 0; i < settings->level_count; i++)
-		if (settings->levels[i].lod == level.lod)
-			return "this level is wanted twice";
-	settings->levels[settings->level_count++] = level;
-	return NULL;
+	return add_level(settings, lod, rate);
+}
+
+/* What is put in the place of the original, when no level beside it is
+   wanted. */
+static struct face_budget
+choose_budget(const struct options *options)
+{
+	if (options->rate >= 0)
+		return (struct face_budget){BUDGET_RATE, options->rate};
+	if (options->triangles >= 0)
+		return (struct face_budget){
+			BUDGET_TRIANGLES, options->triangles};
+	if (options->lambda >= 0)
+		return (struct face_budget){BUDGET_STRUCTURE, options->lambda};
+	if (options->settings.max_error > 0)
+		return (struct face_budget){BUDGET_ERROR, 0};
+	return (struct face_budget){BUDGET_RATE, 0.5};
 }
 
 static void
 settle_levels(const struct command *command, struct options *options)
 {
 	struct simplify_settings *settings = &options->settings;
+	int goals = (options->rate >= 0) + (options->triangles >= 0) +
+		(options->lambda >= 0) + (settings->level_count > 0);
 
-	if (options->rate >= 0 && settings->level_count > 0)
-		program_usage(command, "--rate and --lod exclude each other");
+	if (goals > 1)
+		program_usage(command,
+			"--rate, --triangles, --lambda and --lod exclude each "
+			"other");
 	if (!settings->level_count)
 		settings->levels[settings->level_count++] =
 			(struct simplify_level){
-				options->rate >= 0 ? options->rate : 0.5,
-				LOD_IN_PLACE};
+				choose_budget(options), LOD_IN_PLACE};
 	qsort(settings->levels, settings->level_count, sizeof *settings->levels,
 		by_rate);
 }
@@ -244,6 +279,8 @@ main(int argc, char **argv)
 	struct options options = {
 		.settings = {.source = SELECT_HIGHEST, .base_ratio = 2},
 		.rate = -1,
+		.triangles = -1,
+		.lambda = -1,
 		.max_record = TCS_MAX_RECORD,
 	};
 	const struct option_row rows[] = {
@@ -251,7 +288,18 @@ main(int argc, char **argv)
 			"Remove this share of each object's triangles, 0 to 1 "
 			"(default: 0.5).",
 			&options.rate, 0, 1, NULL},
-		{OPTION_PARSE, 0, "lod", "N:RATE",
+		{OPTION_NUMBER, 0, "triangles", "N",
+			"Leave each object at most so many triangles.",
+			&options.triangles, 0, 0, NULL},
+		{OPTION_NUMBER, 0, "lambda", "L",
+			"Leave each object L triangles for every open edge, "
+			"feature line and corner.",
+			&options.lambda, 0, 1e6, NULL},
+		{OPTION_NUMBER, 0, "max-error", "METRES",
+			"Keep the surface this near to the original; alone, go "
+			"as far as that allows.",
+			&options.settings.max_error, 1e-6, 1e6, NULL},
+		{OPTION_PARSE, 0, "lod", "N[:RATE]",
 			"Add a level of detail beside the original, several "
 			"times if wanted.",
 			&options.settings, 0, 0, parse_level},

@@ -9,6 +9,16 @@ triangle_normal(const struct triangle_shape *t)
 		vector_difference(t->corner[2], t->corner[0]));
 }
 
+struct tcs_point
+triangle_centre(const struct triangle_shape *triangle)
+{
+	const struct tcs_point *corner = triangle->corner;
+
+	return vector_scaled(
+		vector_sum(corner[0], vector_sum(corner[1], corner[2])),
+		1.0 / 3);
+}
+
 double
 triangle_area(const struct triangle_shape *triangle)
 {

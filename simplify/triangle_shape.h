@@ -48,6 +48,8 @@ bool triangle_hit(const struct triangle_shape *triangle,
 /* Twice the area, along the normal; counterclockwise is towards the viewer. */
 struct tcs_point triangle_normal(const struct triangle_shape *triangle);
 
+struct tcs_point triangle_centre(const struct triangle_shape *triangle);
+
 double triangle_area(const struct triangle_shape *triangle);
 
 #endif

@@ -32,6 +32,12 @@ vector_along(struct tcs_point a, struct tcs_point b, double factor)
 	return vector_sum(a, vector_scaled(b, factor));
 }
 
+static inline struct tcs_point
+vector_middle(struct tcs_point a, struct tcs_point b)
+{
+	return vector_scaled(vector_sum(a, b), 0.5);
+}
+
 static inline double
 vector_dot(struct tcs_point a, struct tcs_point b)
 {

@@ -95,7 +95,8 @@ static void
 simplify(const struct tcs_object *object, bool in_place)
 {
 	struct simplify_settings settings = {
-		.levels = {{0.4, in_place ? LOD_IN_PLACE : 2}, {0.9, 1}},
+		.levels = {{{BUDGET_RATE, 0.4}, in_place ? LOD_IN_PLACE : 2},
+			{{BUDGET_RATE, 0.9}, 1}},
 		.level_count = in_place ? 1 : 2,
 		.source = SELECT_HIGHEST,
 		.base_ratio = 2,
