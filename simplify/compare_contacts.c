@@ -16,46 +16,44 @@ struct judge {
 	bool *still; /* per component before: moved by half an eps at most */
 };
 
-static struct images
-images_of(const struct judge *judge, uint32_t component)
+static const struct match_piece *
+piece_at(const struct judge *judge, uint32_t number)
 {
-	struct images images;
-
-	images.at = match_images(judge->match, component, &images.count);
-	return images;
+	return &judge->match->pieces.at[number];
 }
 
 static const struct component *
-after_component(const struct judge *judge, uint32_t number)
+component_of(const struct judge *judge, const struct match_piece *piece)
 {
-	return &judge->after->set.components.at[number];
+	return &judge->after->set.components.at[piece->component];
 }
 
 /* ---- gaps ---------------------------------------------------------------- */
 
 static bool
-is_enclosed(const struct judge *judge, uint32_t inner, uint32_t outer)
+is_enclosed(const struct judge *judge, const struct match_piece *inner,
+	const struct match_piece *outer)
 {
 	const struct component_set *set = &judge->after->set;
-	const struct component *shell = &set->components.at[outer];
-	uint32_t first = set->order.at[set->components.at[inner].first];
+	const struct component *shell = component_of(judge, outer);
+	uint32_t first = set->order.at[component_of(judge, inner)->first];
 
-	return shell->closed &&
+	return shell->closed && inner->component != outer->component &&
 		triangle_tree_encloses(&set->tree, shell->root,
 			component_set_shape(set, first).corner[0]);
 }
 
-/* 0 for what is one component, or one inside the other. */
+/* 0 for what is one piece, or one inside the other. */
 static double
-gap_between(const struct judge *judge, uint32_t a, uint32_t b, double reach)
+gap_between(const struct judge *judge, const struct match_piece *a,
+	const struct match_piece *b, double reach)
 {
 	double gap;
 
 	if (a == b)
 		return 0;
-	gap = triangle_tree_gap(&judge->after->set.tree,
-		after_component(judge, a)->root,
-		after_component(judge, b)->root, reach, 2 * judge->eps)
+	gap = triangle_tree_gap(&judge->after->set.tree, a->root, b->root,
+		reach, 2 * judge->eps)
 		      .distance;
 	if (gap > 2 * judge->eps &&
 		(is_enclosed(judge, a, b) || is_enclosed(judge, b, a)))
@@ -71,7 +69,8 @@ least_gap(const struct judge *judge, struct images a, struct images b)
 	for (size_t i = 0; i < a.count; i++)
 		for (size_t k = 0; k < b.count; k++) {
 			least = fmin(least,
-				gap_between(judge, a.at[i], b.at[k], least));
+				gap_between(judge, piece_at(judge, a.at[i]),
+					piece_at(judge, b.at[k]), least));
 			if (least <= 2 * judge->eps)
 				return least;
 		}
@@ -81,8 +80,8 @@ least_gap(const struct judge *judge, struct images a, struct images b)
 static struct broken_contact
 judge_contact(const struct judge *judge, const struct contact *contact)
 {
-	struct images a = images_of(judge, contact->a);
-	struct images b = images_of(judge, contact->b);
+	struct images a = match_images(judge->match, contact->a);
+	struct images b = match_images(judge->match, contact->b);
 	struct broken_contact out = {
 		CONTACT_LOST, contact->a, contact->b, INFINITY};
 
@@ -96,8 +95,8 @@ judge_contact(const struct judge *judge, const struct contact *contact)
 	out.gap = least_gap(judge, a, b);
 	if (out.gap > 2 * judge->eps)
 		out.state = CONTACT_SEPARATED;
-	else if (seam_is_half_open(judge->before, judge->after, contact, a, b,
-			 judge->eps))
+	else if (seam_is_half_open(judge->before, judge->after, judge->match,
+			 contact, judge->eps))
 		out.state = CONTACT_HALF_OPEN;
 	return out;
 }
@@ -110,8 +109,7 @@ find_still(void *context, size_t piece, size_t first, size_t end)
 	(void)piece;
 	for (size_t i = first; i < end; i++)
 		judge->still[i] = component_is_still(judge->before, (uint32_t)i,
-			judge->after, images_of(judge, (uint32_t)i),
-			judge->eps / 2);
+			judge->after, judge->match, judge->eps / 2);
 }
 
 /* The judgements of all contacts. */
@@ -217,11 +215,12 @@ count_floating(const struct judge *judge, const uint32_t *before,
 	double floating = 0;
 
 	for (uint32_t i = 0; i < count; i++) {
-		struct images images = images_of(judge, i);
+		struct images images = match_images(judge->match, i);
 		bool stands = false;
 
 		for (size_t k = 0; k < images.count; k++)
-			stands |= after[images.at[k]] == ground;
+			stands |= after[piece_at(judge, images.at[k])
+						  ->component] == ground;
 		floating += before[i] == count && images.count > 0 && !stands;
 	}
 	return floating;
@@ -260,12 +259,12 @@ remains_of(const struct judge *judge, struct images images)
 	struct remains remains = {.closed = true};
 
 	for (size_t i = 0; i < images.count; i++) {
-		const struct component *image =
-			after_component(judge, images.at[i]);
+		const struct match_piece *piece = piece_at(judge, images.at[i]);
+		const struct component *image = component_of(judge, piece);
 
-		remains.area += image->area;
+		remains.area += piece->area;
 		remains.volume += image->volume;
-		remains.closed &= image->closed;
+		remains.closed &= image->closed && !piece->region;
 	}
 	return remains;
 }
@@ -277,13 +276,13 @@ judge_components(const struct judge *judge, struct compare_metrics *metrics)
 
 	for (uint32_t i = 0; i < set->components.count; i++) {
 		const struct component *own = &set->components.at[i];
-		struct images images = images_of(judge, i);
+		struct images images = match_images(judge->match, i);
 		struct remains left = remains_of(judge, images);
 		bool solid = own->closed && left.closed;
 
 		if (!images.count)
 			metrics->at[COMPARE_COMPONENTS_LOST]++;
-		if (!images.count || judge->match->merged.at[i])
+		if (!images.count || judge->match->swallowed.at[i])
 			continue;
 		metrics->at[COMPARE_COMPONENTS_CRUSHED] +=
 			10 * left.area < own->area ||

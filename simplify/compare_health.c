@@ -136,7 +136,8 @@ count_some_flipped(void *context, size_t piece, size_t first, size_t end)
 	for (size_t i = first; i < end; i++) {
 		struct triangle_shape shape = component_set_shape(after, i);
 		uint32_t parent =
-			count->match->parents.at[after->numbers.at[i]];
+			count->match->pieces.at[count->match->numbers.at[i]]
+				.parent;
 
 		if (parent != TCS_NONE)
 			count->found[piece] += is_flipped(count->before,

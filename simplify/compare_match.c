@@ -8,6 +8,58 @@
 
 enum { TRIANGLES_AT_ONCE = 1024 };
 
+/* Several components have triangles of the feature. */
+#define SEVERAL (TCS_NONE - 1)
+
+/* A triangle after, and the component before that it comes from. */
+struct settled {
+	uint32_t parent, triangle;
+};
+
+/* What is worked with while two sides are matched. */
+struct matching {
+	struct compare_match *match;
+	const struct compare_side *before;
+	struct compare_side *after;
+	double eps;
+	uint32_t *owners; /* per feature before: the component that alone has
+	                     it; TCS_NONE, SEVERAL */
+	uint32_t *cast; /* per triangle after: the component it comes from */
+	uint32_t *parents; /* per component after; TCS_NONE */
+	double *votes; /* per component before, 0 between counts */
+	bool *alive; /* per component before: a component comes from it */
+	struct settled *settled; /* scratch: of one component after */
+	uint32_t *items; /* scratch: triangles of one piece */
+};
+
+/* ---- where each triangle comes from -------------------------------------- */
+
+static void
+find_owners(struct matching *matching)
+{
+	const struct component_set *set = &matching->before->set;
+
+	for (size_t i = 0; i < matching->before->roots.count; i++)
+		matching->owners[i] = TCS_NONE;
+	for (size_t i = 0; i < set->triangles.count; i++) {
+		uint32_t *owner = &matching->owners[set->features.at[i]];
+
+		if (*owner == TCS_NONE)
+			*owner = set->numbers.at[i];
+		else if (*owner != set->numbers.at[i])
+			*owner = SEVERAL;
+	}
+}
+
+static uint32_t
+owner_of(const struct matching *matching, size_t triangle)
+{
+	const struct compare_side *after = matching->after;
+	uint32_t twin = after->twins.at[after->set.features.at[triangle]];
+
+	return twin == TCS_NONE ? TCS_NONE : matching->owners[twin];
+}
+
 /* The tree of the other side in which to look for a triangle's surface. */
 static uint32_t
 tree_for(const struct compare_side *side, size_t triangle,
@@ -18,96 +70,290 @@ tree_for(const struct compare_side *side, size_t triangle,
 	return twin == TCS_NONE ? NO_TREE : other->roots.at[twin];
 }
 
-static struct tcs_point
-centre_of(const struct component_set *set, size_t triangle)
+/* A triangle's corners and its centre. */
+struct marks {
+	struct tcs_point at[4];
+	struct tcs_point normal;
+};
+
+static struct marks
+marks_of(const struct component_set *set, size_t triangle)
 {
 	struct triangle_shape t = component_set_shape(set, triangle);
+	struct tcs_point sum =
+		vector_sum(t.corner[0], vector_sum(t.corner[1], t.corner[2]));
 
-	return vector_scaled(
-		vector_sum(t.corner[0], vector_sum(t.corner[1], t.corner[2])),
-		1.0 / 3);
+	return (struct marks){{t.corner[0], t.corner[1], t.corner[2],
+				      vector_scaled(sum, 1.0 / 3)},
+		triangle_normal(&t)};
 }
 
-/* The component before that each triangle after is nearest to. */
-struct ballot {
-	const struct compare_side *after, *before;
-	uint32_t *cast; /* per triangle after */
-	uint32_t *votes; /* per component before, clear between counts */
-};
+static double
+strangeness(const struct matching *matching, uint32_t component,
+	const struct marks *marks)
+{
+	const struct component_set *set = &matching->before->set;
+	struct triangle_shape nearest;
+	double sum = 0;
+
+	for (int i = 0; i < 4; i++) {
+		struct tree_hit hit = triangle_tree_nearest(&set->tree,
+			set->components.at[component].root, marks->at[i],
+			INFINITY);
+
+		sum += hit.distance;
+		nearest = component_set_shape(set, hit.item);
+	}
+	if (vector_dot(triangle_normal(&nearest), marks->normal) < 0)
+		sum += matching->eps / 2;
+	return sum;
+}
+
+/* Of several, the one with the lowest number. */
+static uint32_t
+least_strange(const struct matching *matching, const uint32_t candidates[4],
+	const struct marks *marks)
+{
+	uint32_t best = candidates[0];
+	double least = INFINITY;
+
+	for (int i = 0; i < 4; i++) {
+		double sum;
+		bool known = false;
+
+		for (int k = 0; k < i; k++)
+			known |= candidates[k] == candidates[i];
+		if (known)
+			continue;
+		sum = strangeness(matching, candidates[i], marks);
+		if (sum < least || (sum <= least && candidates[i] < best)) {
+			least = sum;
+			best = candidates[i];
+		}
+	}
+	return best;
+}
+
+static uint32_t
+cast_vote(const struct matching *matching, size_t triangle)
+{
+	const struct compare_side *before = matching->before;
+	uint32_t root = tree_for(matching->after, triangle, before);
+	struct marks marks = marks_of(&matching->after->set, triangle);
+	uint32_t candidates[4];
+	bool one = true;
+
+	if (root == NO_TREE)
+		root = before->whole;
+	for (int i = 0; i < 4; i++) {
+		struct tree_hit hit = triangle_tree_nearest(
+			&before->surfaces, root, marks.at[i], INFINITY);
+
+		candidates[i] = before->set.numbers.at[hit.item];
+		one &= candidates[i] == candidates[0];
+	}
+	return one ? candidates[0]
+		   : least_strange(matching, candidates, &marks);
+}
 
 static void
 cast_votes(void *context, size_t piece, size_t first, size_t end)
 {
-	const struct ballot *ballot = context;
-	const struct compare_side *before = ballot->before;
+	const struct matching *matching = context;
 
 	(void)piece;
 	for (size_t i = first; i < end; i++) {
-		uint32_t root = tree_for(ballot->after, i, before);
-		struct tree_hit hit = triangle_tree_nearest(&before->surfaces,
-			root == NO_TREE ? before->whole : root,
-			centre_of(&ballot->after->set, i), INFINITY);
+		uint32_t owner = owner_of(matching, i);
 
-		ballot->cast[i] = before->set.numbers.at[hit.item];
+		matching->cast[i] =
+			owner < SEVERAL ? owner : cast_vote(matching, i);
 	}
 }
 
-/* The first to have the most votes. */
-static uint32_t
-find_parent(const struct ballot *ballot, uint32_t number)
+/* ---- where each component comes from ------------------------------------- */
+
+static const uint32_t *
+triangles_of(const struct component_set *set, const struct component *component)
 {
-	const struct component_set *set = &ballot->after->set;
-	const struct component *component = &set->components.at[number];
-	const uint32_t *order = set->order.at + component->first;
-	uint32_t best = TCS_NONE;
+	return set->order.at + component->first;
+}
+
+/* What most of its triangles come from; the first of several. */
+static uint32_t
+find_parent(const struct matching *matching, const struct component *component)
+{
+	const uint32_t *order = triangles_of(&matching->after->set, component);
+	double *votes = matching->votes;
+	uint32_t best = matching->cast[order[0]];
 
 	for (uint32_t i = 0; i < component->count; i++) {
-		uint32_t found = ballot->cast[order[i]];
+		uint32_t found = matching->cast[order[i]];
 
-		ballot->votes[found]++;
-		if (best == TCS_NONE ||
-			ballot->votes[found] > ballot->votes[best])
+		if (++votes[found] > votes[best])
 			best = found;
 	}
 	for (uint32_t i = 0; i < component->count; i++)
-		ballot->votes[ballot->cast[order[i]]] = 0;
+		votes[matching->cast[order[i]]] = 0;
 	return best;
 }
 
-static enum tcs_status
-find_parents(struct compare_match *match, const struct compare_side *before,
-	const struct compare_side *after, struct tcs_fault *fault)
+static void
+find_parents(struct matching *matching)
 {
-	size_t count = after->set.components.count;
-	size_t triangles = after->set.triangles.count;
-	size_t components = before->set.components.count;
-	struct ballot ballot = {after, before,
-		calloc(triangles + 1, sizeof *ballot.cast),
-		calloc(components + 1, sizeof *ballot.votes)};
+	const struct component_set *after = &matching->after->set;
+	bool any = matching->before->set.components.count > 0;
+
+	for (size_t i = 0; i < after->components.count; i++) {
+		uint32_t parent = TCS_NONE;
+
+		if (any) {
+			parent =
+				find_parent(matching, &after->components.at[i]);
+			matching->alive[parent] = true;
+		}
+		matching->parents[i] = parent;
+	}
+}
+
+/* ---- regions ------------------------------------------------------------- */
+
+/* Add up, by component before, what of a component after may be its region. */
+static void
+weigh_regions(struct matching *matching, const struct component *component)
+{
+	const struct component_set *set = &matching->after->set;
+	const uint32_t *order = triangles_of(set, component);
+
+	for (uint32_t i = 0; i < component->count; i++) {
+		uint32_t from = matching->cast[order[i]];
+		struct triangle_shape shape =
+			component_set_shape(set, order[i]);
+
+		if (owner_of(matching, order[i]) == from)
+			matching->votes[from] = INFINITY;
+		else if (!matching->alive[from])
+			matching->votes[from] += triangle_area(&shape);
+	}
+}
+
+/* Regions stay with what they come from; the other triangles come from what
+   their component does. */
+static void
+settle_triangles(struct matching *matching, uint32_t number)
+{
+	const struct component_set *before = &matching->before->set;
+	const struct component *component =
+		&matching->after->set.components.at[number];
+	const uint32_t *order = triangles_of(&matching->after->set, component);
+	double *votes = matching->votes;
+
+	for (uint32_t i = 0; i < component->count; i++)
+		matching->settled[i] =
+			(struct settled){matching->parents[number], order[i]};
+	if (!before->components.count)
+		return;
+	weigh_regions(matching, component);
+	for (uint32_t i = 0; i < component->count; i++) {
+		uint32_t from = matching->cast[order[i]];
+
+		if (votes[from] > 0 &&
+			10 * votes[from] >= before->components.at[from].area)
+			matching->settled[i].parent = from;
+	}
+	for (uint32_t i = 0; i < component->count; i++)
+		votes[matching->cast[order[i]]] = 0;
+}
+
+static int
+by_parent(const void *left, const void *right)
+{
+	const struct settled *a = left, *b = right;
+
+	if (a->parent != b->parent)
+		return a->parent < b->parent ? -1 : 1;
+	return (a->triangle > b->triangle) - (a->triangle < b->triangle);
+}
+
+static enum tcs_status
+put_piece(struct matching *matching, uint32_t component,
+	const struct settled *settled, size_t count, bool region,
+	struct tcs_fault *fault)
+{
+	struct compare_match *match = matching->match;
+	struct component_set *set = &matching->after->set;
+	struct match_piece piece = {settled->parent, component,
+		set->components.at[component].root,
+		set->components.at[component].area, region};
 	enum tcs_status status = TCS_OK;
 
-	if (!ballot.votes || !ballot.cast || array_grow(&match->parents, count))
-		status = fault_memory(fault);
-	else if (components)
-		status = split_work(triangles, TRIANGLES_AT_ONCE,
-			after->set.jobs, cast_votes, &ballot, fault);
-	for (uint32_t i = 0; !status && i < count; i++)
-		match->parents.at[i] =
-			components ? find_parent(&ballot, i) : TCS_NONE;
-	if (!status)
-		match->parents.count = count;
-	free(ballot.votes);
-	free(ballot.cast);
+	if (array_grow(&match->pieces, 1))
+		return fault_memory(fault);
+	for (size_t i = 0; i < count; i++)
+		match->numbers.at[settled[i].triangle] =
+			(uint32_t)match->pieces.count;
+	if (region) {
+		piece.area = 0;
+		for (size_t i = 0; i < count; i++) {
+			struct triangle_shape shape =
+				component_set_shape(set, settled[i].triangle);
+
+			matching->items[i] = settled[i].triangle;
+			piece.area += triangle_area(&shape);
+		}
+		status = triangle_tree_add(&set->tree, set->points.at,
+			set->triangles.at, matching->items, count, &piece.root,
+			fault);
+	}
+	match->pieces.at[match->pieces.count++] = piece;
 	return status;
 }
 
-/* Covered by the surfaces of its own features: where its first corner went. */
-static uint32_t
-find_cover(const struct compare_side *before, uint32_t number,
-	const struct compare_side *after, double eps)
+static enum tcs_status
+divide_component(
+	struct matching *matching, uint32_t number, struct tcs_fault *fault)
 {
+	size_t count = matching->after->set.components.at[number].count, run;
+	struct settled *settled = matching->settled;
+	enum tcs_status status = TCS_OK;
+
+	settle_triangles(matching, number);
+	qsort(settled, count, sizeof *settled, by_parent);
+	for (size_t i = 0; !status && i < count; i += run) {
+		for (run = 1; i + run < count &&
+			settled[i + run].parent == settled[i].parent;
+			run++)
+			;
+		status = put_piece(
+			matching, number, settled + i, run, run < count, fault);
+	}
+	return status;
+}
+
+static enum tcs_status
+divide_components(struct matching *matching, struct tcs_fault *fault)
+{
+	const struct component_set *after = &matching->after->set;
+	enum tcs_status status = TCS_OK;
+
+	if (array_grow(&matching->match->numbers, after->triangles.count))
+		return fault_memory(fault);
+	matching->match->numbers.count = after->triangles.count;
+	for (uint32_t i = 0; !status && i < after->components.count; i++)
+		status = divide_component(matching, i, fault);
+	return status;
+}
+
+/* ---- images -------------------------------------------------------------- */
+
+/* Where its first corner went, if the surfaces of its own features pass by all
+   corners. */
+static uint32_t
+find_cover(const struct matching *matching, uint32_t number)
+{
+	const struct compare_side *before = matching->before;
+	const struct compare_side *after = matching->after;
 	const struct component *component = &before->set.components.at[number];
-	const uint32_t *order = before->set.order.at + component->first;
+	const uint32_t *order = triangles_of(&before->set, component);
 	uint32_t cover = TCS_NONE;
 
 	for (uint32_t i = 0; i < component->count; i++) {
@@ -118,126 +364,128 @@ find_cover(const struct compare_side *before, uint32_t number,
 		if (root == NO_TREE)
 			return TCS_NONE;
 		for (int k = 0; k < 3; k++) {
-			struct tree_hit hit = triangle_tree_nearest(
-				&after->surfaces, root, shape.corner[k], eps);
+			struct tree_hit hit =
+				triangle_tree_nearest(&after->surfaces, root,
+					shape.corner[k], matching->eps);
 
 			if (!isfinite(hit.distance))
 				return TCS_NONE;
 			if (cover == TCS_NONE)
-				cover = after->set.numbers.at[hit.item];
+				cover = matching->match->numbers.at[hit.item];
 		}
 	}
 	return cover;
 }
 
-/* Those that nothing comes from get what covers them as their only image. */
-static void
-find_covers(struct compare_match *match, const struct compare_side *before,
-	const struct compare_side *after, double eps)
-{
-	size_t components = before->set.components.count;
-
-	for (size_t i = 0; i < components; i++) {
-		match->merged.at[i] = false;
-		match->images.at[i] = TCS_NONE;
-	}
-	for (size_t i = 0; i < match->parents.count; i++)
-		if (match->parents.at[i] != TCS_NONE)
-			match->merged.at[match->parents.at[i]] = true;
-	for (uint32_t i = 0; i < components; i++) {
-		if (!match->merged.at[i])
-			match->images.at[i] = find_cover(before, i, after, eps);
-		match->merged.at[i] = false;
-	}
-	match->images.count = components;
-}
-
 /* Images by counting: first[i] is where those of component i begin. */
-static void
-list_images(struct compare_match *match, size_t components)
+static enum tcs_status
+list_images(struct matching *matching, struct tcs_fault *fault)
 {
-	uint32_t *first = match->first.at;
+	struct compare_match *match = matching->match;
+	size_t components = matching->before->set.components.count;
+	uint32_t *first;
 
-	for (size_t i = 0; i <= components; i++)
+	if (array_grow(&match->first, components + 2) ||
+		array_grow(&match->swallowed, components) ||
+		array_grow(&match->images, match->pieces.count + components))
+		return fault_memory(fault);
+	first = match->first.at;
+	for (size_t i = 0; i < components + 2; i++)
 		first[i] = 0;
-	for (size_t i = 0; i < match->parents.count; i++)
-		if (match->parents.at[i] != TCS_NONE)
-			first[match->parents.at[i] + 1]++;
+	for (size_t i = 0; i < match->pieces.count; i++)
+		if (match->pieces.at[i].parent != TCS_NONE)
+			first[match->pieces.at[i].parent + 2]++;
+	for (uint32_t i = 0; i < components; i++) {
+		uint32_t cover =
+			first[i + 2] ? TCS_NONE : find_cover(matching, i);
+
+		match->swallowed.at[i] = cover != TCS_NONE;
+		first[i + 2] += first[i + 1] + match->swallowed.at[i];
+		if (match->swallowed.at[i])
+			match->images.at[first[i + 1]] = cover;
+	}
+	for (uint32_t i = 0; i < match->pieces.count; i++)
+		if (match->pieces.at[i].parent != TCS_NONE)
+			match->images
+				.at[first[match->pieces.at[i].parent + 1]++] =
+				i;
 	for (size_t i = 0; i < components; i++)
-		if (!first[i + 1] && match->images.at[i] != TCS_NONE) {
-			match->merged.at[i] = true;
-			first[i + 1] = 1;
-		}
-	for (size_t i = 0; i < components; i++)
-		first[i + 1] += first[i];
+		first[i + 1] += match->swallowed.at[i];
+	match->first.count = components + 1;
+	match->images.count = first[components];
+	return TCS_OK;
 }
+
+/* ---- all ----------------------------------------------------------------- */
 
 static enum tcs_status
-fill_images(
-	struct compare_match *match, size_t components, struct tcs_fault *fault)
+match_all(struct matching *matching, struct tcs_fault *fault)
 {
-	size_t count = match->first.at[components];
-	uint32_t *covers = calloc(components + 1, sizeof *covers);
-	uint32_t *next = calloc(components + 1, sizeof *next);
+	const struct component_set *after = &matching->after->set;
+	enum tcs_status status = TCS_OK;
 
-	if (!covers || !next || array_grow(&match->images, count)) {
-		free(covers);
-		free(next);
-		return fault_memory(fault);
+	find_owners(matching);
+	if (matching->before->set.components.count)
+		status = split_work(after->triangles.count, TRIANGLES_AT_ONCE,
+			after->jobs, cast_votes, matching, fault);
+	if (!status) {
+		find_parents(matching);
+		status = divide_components(matching, fault);
 	}
-	for (size_t i = 0; i < components; i++) {
-		covers[i] = match->images.at[i];
-		next[i] = match->first.at[i];
-	}
-	for (uint32_t i = 0; i < match->parents.count; i++)
-		if (match->parents.at[i] != TCS_NONE)
-			match->images.at[next[match->parents.at[i]]++] = i;
-	for (size_t i = 0; i < components; i++)
-		if (match->merged.at[i])
-			match->images.at[next[i]] = covers[i];
-	match->images.count = count;
-	free(covers);
-	free(next);
-	return TCS_OK;
+	return status ? status : list_images(matching, fault);
 }
 
 enum tcs_status
 match_components(struct compare_match *match, const struct compare_side *before,
-	const struct compare_side *after, double eps, struct tcs_fault *fault)
+	struct compare_side *after, double eps, struct tcs_fault *fault)
 {
 	size_t components = before->set.components.count;
+	size_t triangles = after->set.triangles.count;
+	struct matching matching = {match, before, after, eps,
+		calloc(before->roots.count + 1, sizeof *matching.owners),
+		calloc(triangles + 1, sizeof *matching.cast),
+		calloc(after->set.components.count + 1,
+			sizeof *matching.parents),
+		calloc(components + 1, sizeof *matching.votes),
+		calloc(components + 1, sizeof *matching.alive),
+		calloc(triangles + 1, sizeof *matching.settled),
+		calloc(triangles + 1, sizeof *matching.items)};
 	enum tcs_status status;
 
-	array_clear(&match->parents);
+	array_clear(&match->pieces);
+	array_clear(&match->numbers);
 	array_clear(&match->images);
-	status = find_parents(match, before, after, fault);
-	if (!status &&
-		(array_grow(&match->first, components + 1) ||
-			array_grow(&match->merged, components) ||
-			array_grow(&match->images, components)))
+	if (!matching.owners || !matching.cast || !matching.parents ||
+		!matching.votes || !matching.alive || !matching.settled ||
+		!matching.items)
 		status = fault_memory(fault);
-	if (status)
-		return status;
-	find_covers(match, before, after, eps);
-	list_images(match, components);
-	return fill_images(match, components, fault);
+	else
+		status = match_all(&matching, fault);
+	free(matching.owners);
+	free(matching.cast);
+	free(matching.parents);
+	free(matching.votes);
+	free(matching.alive);
+	free(matching.settled);
+	free(matching.items);
+	return status;
 }
 
-const uint32_t *
-match_images(
-	const struct compare_match *match, uint32_t component, size_t *count)
+struct images
+match_images(const struct compare_match *match, uint32_t component)
 {
 	uint32_t first = match->first.at[component];
 
-	*count = match->first.at[component + 1] - first;
-	return match->images.at + first;
+	return (struct images){match->images.at + first,
+		match->first.at[component + 1] - first};
 }
 
 void
 match_release(struct compare_match *match)
 {
-	array_release(&match->parents);
+	array_release(&match->pieces);
+	array_release(&match->numbers);
 	array_release(&match->first);
 	array_release(&match->images);
-	array_release(&match->merged);
+	array_release(&match->swallowed);
 }

@@ -156,9 +156,10 @@ print_views(const struct compare_metrics *m, FILE *to)
 		at[COMPARE_SIMILARITY], at[COMPARE_HIT],
 		at[COMPARE_SAME_SURFACE]);
 	fprintf(to,
-		"  seen        %.0f components, %.0f hidden; %.0f surfaces, %.0f"
-		" hidden, %.0f uncovered\n",
+		"  seen        %.0f components, %.0f hidden; %.0f contacts, %.0f"
+		" broken; %.0f surfaces, %.0f hidden, %.0f uncovered\n",
 		at[COMPARE_COMPONENTS_SEEN], at[COMPARE_COMPONENTS_HIDDEN],
+		at[COMPARE_CONTACTS_SEEN], at[COMPARE_CONTACTS_SEEN_BROKEN],
 		at[COMPARE_SURFACES_SEEN], at[COMPARE_SURFACES_HIDDEN],
 		at[COMPARE_SURFACES_UNCOVERED]);
 	fprintf(to, "  behind      %.0f boxes seen -> %.0f, %.0f opened\n",

@@ -63,6 +63,8 @@
 	X(SIMILARITY, "similarity", 3, PIXELS) \
 	X(COMPONENTS_SEEN, "components_seen", 0, SUM) \
 	X(COMPONENTS_HIDDEN, "components_hidden", 0, SUM) \
+	X(CONTACTS_SEEN, "contacts_seen", 0, SUM) \
+	X(CONTACTS_SEEN_BROKEN, "contacts_seen_broken", 0, SUM) \
 	X(SURFACES_SEEN, "surfaces_seen", 0, SUM) \
 	X(SURFACES_HIDDEN, "surfaces_hidden", 0, SUM) \
 	X(SURFACES_UNCOVERED, "surfaces_uncovered", 0, SUM) \

@@ -267,8 +267,8 @@ compare_objects(struct comparer *comparer,
 	status = compare_sides(comparer, eps, result, fault);
 	if (!status && settings->pixels > 0)
 		status = compare_views(&comparer->before, &comparer->after,
-			&comparer->match, settings->pixels, &comparer->pictures,
-			&result->metrics, fault);
+			&comparer->match, &result->broken, settings->pixels,
+			&comparer->pictures, &result->metrics, fault);
 	if (!status && settings->pictures && differs(result))
 		status = object_pictures_draw(&comparer->before,
 			&comparer->after,

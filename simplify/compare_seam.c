@@ -8,6 +8,7 @@ enum { MOST_TRIANGLES = 100 };
 
 struct seam {
 	const struct compare_side *before, *after;
+	const struct compare_match *match;
 	struct images a, b; /* what the two sides became */
 	double eps;
 	unsigned long points, gaping;
@@ -25,12 +26,12 @@ static struct tree_hit
 nearest_image(const struct seam *seam, struct images images,
 	struct tcs_point from, double reach)
 {
-	const struct component_set *set = &seam->after->set;
 	struct tree_hit best = {.distance = INFINITY};
 
 	for (size_t i = 0; i < images.count; i++) {
-		struct tree_hit hit = triangle_tree_nearest(&set->tree,
-			set->components.at[images.at[i]].root, from, reach);
+		struct tree_hit hit = triangle_tree_nearest(
+			&seam->after->set.tree,
+			seam->match->pieces.at[images.at[i]].root, from, reach);
 
 		if (hit.distance < best.distance) {
 			best = hit;
@@ -47,12 +48,12 @@ image_encloses(
 	const struct component_set *set = &seam->after->set;
 
 	for (size_t i = 0; i < images.count; i++) {
-		const struct component *component =
-			&set->components.at[images.at[i]];
+		const struct match_piece *piece =
+			&seam->match->pieces.at[images.at[i]];
 
-		if (component->closed &&
-			triangle_tree_encloses(
-				&set->tree, component->root, point))
+		if (!piece->region &&
+			set->components.at[piece->component].closed &&
+			triangle_tree_encloses(&set->tree, piece->root, point))
 			return true;
 	}
 	return false;
@@ -136,10 +137,12 @@ add_side(struct seam *seam, uint32_t own, uint32_t other)
 
 bool
 seam_is_half_open(const struct compare_side *before,
-	const struct compare_side *after, const struct contact *contact,
-	struct images a, struct images b, double eps)
+	const struct compare_side *after, const struct compare_match *match,
+	const struct contact *contact, double eps)
 {
-	struct seam seam = {before, after, a, b, eps, 0, 0};
+	struct seam seam = {before, after, match,
+		match_images(match, contact->a),
+		match_images(match, contact->b), eps, 0, 0};
 
 	if (contact->inside)
 		return false;
@@ -150,10 +153,12 @@ seam_is_half_open(const struct compare_side *before,
 
 bool
 component_is_still(const struct compare_side *before, uint32_t component,
-	const struct compare_side *after, struct images images, double far)
+	const struct compare_side *after, const struct compare_match *match,
+	double far)
 {
 	const struct component *own = &before->set.components.at[component];
-	struct seam seam = {.before = before, .after = after};
+	struct seam seam = {.before = before, .after = after, .match = match};
+	struct images images = match_images(match, component);
 
 	for (uint32_t i = 0; i < own->count; i++) {
 		struct triangle_shape shape = component_set_shape(

@@ -5,13 +5,7 @@
 #ifndef TESSERA_COMPARE_SEAM_H
 #define TESSERA_COMPARE_SEAM_H
 
-#include "compare_side.h"
-
-/* Components after: what one before became. */
-struct images {
-	const uint32_t *at;
-	size_t count;
-};
+#include "compare_match.h"
 
 /*
  * Whether a quarter of the seam or more gapes over 2 eps. The seam is known by
@@ -23,8 +17,8 @@ struct images {
  * steps for each triangle of one side in the box of the other.
  */
 bool seam_is_half_open(const struct compare_side *before,
-	const struct compare_side *after, const struct contact *contact,
-	struct images a, struct images b, double eps);
+	const struct compare_side *after, const struct compare_match *match,
+	const struct contact *contact, double eps);
 
 /*
  * Whether no point of the component has moved by more than `far`: each of its
@@ -32,6 +26,7 @@ bool seam_is_half_open(const struct compare_side *before,
  * false for what has not moved, where it was triangulated anew.
  */
 bool component_is_still(const struct compare_side *before, uint32_t component,
-	const struct compare_side *after, struct images images, double far);
+	const struct compare_side *after, const struct compare_match *match,
+	double far);
 
 #endif

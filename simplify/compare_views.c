@@ -85,9 +85,11 @@ draw_all(const struct compare_side *before, const struct compare_side *after,
 
 /* ---- looking ------------------------------------------------------------- */
 
-/* What one side shows: per component and per feature. */
+/* What one side shows: per part, a component before and a piece after, and per
+   feature. */
 struct seen {
-	bool *components, *features;
+	const uint32_t *numbers; /* the part of each triangle */
+	bool *parts, *features;
 };
 
 struct look {
@@ -104,7 +106,7 @@ note_seen(struct seen *seen, const struct component_set *set, uint32_t triangle)
 {
 	if (triangle == RASTER_NOTHING)
 		return;
-	seen->components[set->numbers.at[triangle]] = true;
+	seen->parts[seen->numbers[triangle]] = true;
 	seen->features[set->features.at[triangle]] = true;
 }
 
@@ -185,12 +187,11 @@ static bool
 shows_an_image(const struct look *look, const struct compare_match *match,
 	uint32_t component)
 {
-	size_t count;
-	const uint32_t *images = match_images(match, component, &count);
+	struct images images = match_images(match, component);
 	bool seen = false;
 
-	for (size_t i = 0; i < count; i++)
-		seen |= look->seen[1].components[images[i]];
+	for (size_t i = 0; i < images.count; i++)
+		seen |= look->seen[1].parts[images.at[i]];
 	return seen;
 }
 
@@ -201,7 +202,7 @@ count_sets(
 	const struct compare_side *before = look->before, *after = look->after;
 
 	for (uint32_t i = 0; i < before->set.components.count; i++) {
-		if (!look->seen[0].components[i])
+		if (!look->seen[0].parts[i])
 			continue;
 		at[COMPARE_COMPONENTS_SEEN]++;
 		at[COMPARE_COMPONENTS_HIDDEN] +=
@@ -224,6 +225,23 @@ count_sets(
 	}
 }
 
+/* Contacts of which both sides are seen, and those of them that are broken. */
+static void
+count_contacts(
+	const struct look *look, const struct broken_list *broken, double *at)
+{
+	const struct contact_list *contacts = &look->before->contacts;
+	const bool *seen = look->seen[0].parts;
+
+	for (size_t i = 0; i < contacts->count; i++)
+		at[COMPARE_CONTACTS_SEEN] +=
+			seen[contacts->at[i].a] && seen[contacts->at[i].b];
+	for (size_t i = 0; i < broken->count; i++)
+		at[COMPARE_CONTACTS_SEEN_BROKEN] += seen[broken->at[i].a] &&
+			seen[broken->at[i].b] &&
+			broken->at[i].state != CONTACT_HALF_OPEN;
+}
+
 static void
 fill_metrics(
 	const struct look *look, const struct compare_match *match, double *at)
@@ -241,25 +259,30 @@ fill_metrics(
 }
 
 static bool
-seen_allocate(struct seen *seen, const struct compare_side *side)
+seen_allocate(struct seen *seen, const struct compare_side *side,
+	const uint32_t *numbers, size_t parts)
 {
-	seen->components = calloc(
-		side->set.components.count + 1, sizeof *seen->components);
+	seen->numbers = numbers;
+	seen->parts = calloc(parts + 1, sizeof *seen->parts);
 	seen->features = calloc(side->twins.count + 1, sizeof *seen->features);
-	return seen->components && seen->features;
+	return seen->parts && seen->features;
 }
 
 enum tcs_status
 compare_views(const struct compare_side *before,
 	const struct compare_side *after, const struct compare_match *match,
-	unsigned size, struct compare_pictures *pictures,
-	struct compare_metrics *metrics, struct tcs_fault *fault)
+	const struct broken_list *broken, unsigned size,
+	struct compare_pictures *pictures, struct compare_metrics *metrics,
+	struct tcs_fault *fault)
 {
 	struct look look = {.before = before, .after = after};
 	enum tcs_status status = TCS_OK;
-	bool has_room = seen_allocate(&look.seen[0], before);
+	bool has_room = seen_allocate(&look.seen[0], before,
+		before->set.numbers.at, before->set.components.count);
 
-	has_room = seen_allocate(&look.seen[1], after) && has_room;
+	has_room = seen_allocate(&look.seen[1], after, match->numbers.at,
+			   match->pieces.count) &&
+		has_room;
 	if (!has_room)
 		status = fault_memory(fault);
 	else if (before->set.triangles.count > 0)
@@ -267,9 +290,10 @@ compare_views(const struct compare_side *before,
 	if (!status && before->set.triangles.count > 0) {
 		look_at_all(&look, pictures);
 		fill_metrics(&look, match, metrics->at);
+		count_contacts(&look, broken, metrics->at);
 	}
 	for (int i = 0; i < 2; i++) {
-		free(look.seen[i].components);
+		free(look.seen[i].parts);
 		free(look.seen[i].features);
 	}
 	return status;

@@ -8,7 +8,7 @@
 #ifndef TESSERA_COMPARE_VIEWS_H
 #define TESSERA_COMPARE_VIEWS_H
 
-#include "compare_match.h"
+#include "compare_contacts.h"
 #include "compare_metrics.h"
 #include "raster.h"
 
@@ -38,13 +38,14 @@ struct compare_pictures {
 
 /*
  * Draw both from everywhere, `size` pixels wide and high, and fill in the
- * metrics. Uses before->set.jobs threads. Without triangles before nothing is
+ * metrics. `broken` are the contacts of `before` that broke. Uses before->set.jobs threads. Without triangles before nothing is
  * seen. Fails with TCS_NO_MEMORY, TCS_SYSTEM.
  */
 enum tcs_status compare_views(const struct compare_side *before,
 	const struct compare_side *after, const struct compare_match *match,
-	unsigned size, struct compare_pictures *pictures,
-	struct compare_metrics *metrics, struct tcs_fault *fault) TCS_CHECKED;
+	const struct broken_list *broken, unsigned size,
+	struct compare_pictures *pictures, struct compare_metrics *metrics,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 void pictures_release(struct compare_pictures *pictures);
 

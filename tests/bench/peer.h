@@ -29,7 +29,8 @@ struct peer_mesh {
 	size_t point_count;
 	struct tcs_triangle *triangles;
 	size_t triangle_count;
-	uint32_t *components; /* per point of the input, from 0 */
+	uint32_t *components; /* from 0: per point of the input, and per
+	                         triangle of the output */
 };
 
 /*
@@ -50,6 +51,16 @@ peer_run peer_meshoptimizer;
 peer_run peer_openmesh;
 /* CGAL's edge collapse with its default policies: Lindstrom & Turk 1998. */
 peer_run peer_cgal;
+
+/* Append a triangle of the input's points, and the component that has them. */
+static inline void
+peer_put(const struct peer_mesh *in, const struct tcs_triangle *triangle,
+	struct peer_mesh *out)
+{
+	out->components[out->triangle_count] =
+		in->components[triangle->corner[0]];
+	out->triangles[out->triangle_count++] = *triangle;
+}
 
 #ifdef __cplusplus
 }

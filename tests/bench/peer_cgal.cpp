@@ -4,6 +4,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <new>
+#include <vector>
 
 namespace
 {
@@ -20,7 +21,8 @@ position(const tcs_point &point)
 /* A triangle whose edges are taken already gets vertices of its own, as few as
    it takes. */
 void
-add_triangle(mesh_type &mesh, const peer_mesh &in, const tcs_triangle &triangle)
+add_triangle(mesh_type &mesh, const peer_mesh &in, const tcs_triangle &triangle,
+	std::vector<uint32_t> &components)
 {
 	mesh_type::Vertex_index own[3];
 
@@ -34,6 +36,8 @@ add_triangle(mesh_type &mesh, const peer_mesh &in, const tcs_triangle &triangle)
 				? mesh.add_vertex(position(
 					  in.points[triangle.corner[i]]))
 				: mesh_type::Vertex_index(triangle.corner[i]);
+		components.resize(mesh.number_of_vertices(),
+			in.components[triangle.corner[0]]);
 		if (mesh.add_face(own[0], own[1], own[2]) !=
 			mesh_type::null_face())
 			return;
@@ -56,11 +60,13 @@ void
 simplify(const peer_mesh &in, size_t target, peer_mesh &out)
 {
 	mesh_type mesh;
+	std::vector<uint32_t> components(
+		in.components, in.components + in.point_count);
 
 	for (size_t i = 0; i < in.point_count; i++)
 		mesh.add_vertex(position(in.points[i]));
 	for (size_t i = 0; i < in.triangle_count; i++)
-		add_triangle(mesh, in, in.triangles[i]);
+		add_triangle(mesh, in, in.triangles[i], components);
 	CGAL::Surface_mesh_simplification::edge_collapse(
 		mesh, stop_at_faces{target, &mesh});
 	out.point_count = 0;
@@ -74,6 +80,7 @@ simplify(const peer_mesh &in, size_t target, peer_mesh &out)
 			out.points[corner] = {at.x(), at.y(), at.z()};
 			out.triangles[corner / 3].corner[corner % 3] =
 				(uint32_t)corner;
+			out.components[corner / 3] = components[vertex];
 		}
 	out.triangle_count = out.point_count / 3;
 }

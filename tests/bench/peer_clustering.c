@@ -9,10 +9,16 @@ struct cell_use {
 	uint32_t point;
 };
 
+/* A triangle of cells, and the component that it is of. */
+struct cell_triangle {
+	uint32_t corner[3];
+	uint32_t component;
+};
+
 struct clusters {
 	struct cell_use *uses;
 	uint32_t *numbers; /* per point */
-	struct tcs_triangle *sorted;
+	struct cell_triangle *sorted;
 	size_t count;
 };
 
@@ -52,20 +58,21 @@ number_cells(const struct peer_mesh *in, double size, struct clusters *clusters)
 static int
 by_corners(const void *left, const void *right)
 {
-	const struct tcs_triangle *a = left, *b = right;
+	const struct cell_triangle *a = left, *b = right;
 
 	for (int i = 0; i < 3; i++)
 		if (a->corner[i] != b->corner[i])
 			return a->corner[i] < b->corner[i] ? -1 : 1;
-	return 0;
+	return (a->component > b->component) - (a->component < b->component);
 }
 
-/* Triangles with three different cells, each once; how many. */
-static size_t
+/* Triangles with three different cells, each once for a component. */
+static void
 collect(const struct peer_mesh *in, const struct clusters *clusters,
-	struct tcs_triangle *out)
+	struct peer_mesh *out)
 {
-	size_t count = 0, kept = 0;
+	struct cell_triangle *sorted = clusters->sorted;
+	size_t count = 0;
 
 	for (size_t i = 0; i < in->triangle_count; i++) {
 		const uint32_t *corner = in->triangles[i].corner;
@@ -80,17 +87,22 @@ collect(const struct peer_mesh *in, const struct clusters *clusters,
 		if (t.corner[0] == t.corner[1] || t.corner[1] == t.corner[2] ||
 			t.corner[2] == t.corner[0])
 			continue;
-		clusters->sorted[count++] = (struct tcs_triangle){
+		sorted[count++] = (struct cell_triangle){
 			{t.corner[first], t.corner[(first + 1) % 3],
-				t.corner[(first + 2) % 3]}};
+				t.corner[(first + 2) % 3]},
+			in->components[corner[0]]};
 	}
-	qsort(clusters->sorted, count, sizeof *clusters->sorted, by_corners);
-	for (size_t i = 0; i < count; i++)
-		if (!i ||
-			by_corners(
-				&clusters->sorted[i - 1], &clusters->sorted[i]))
-			out[kept++] = clusters->sorted[i];
-	return kept;
+	qsort(sorted, count, sizeof *sorted, by_corners);
+	out->triangle_count = 0;
+	for (size_t i = 0; i < count; i++) {
+		const uint32_t *c = sorted[i].corner;
+
+		if (i && !by_corners(&sorted[i - 1], &sorted[i]))
+			continue;
+		out->components[out->triangle_count] = sorted[i].component;
+		out->triangles[out->triangle_count++] =
+			(struct tcs_triangle){{c[0], c[1], c[2]}};
+	}
 }
 
 static void
@@ -134,14 +146,15 @@ peer_clustering(
 		double size = sqrt(low * high);
 
 		number_cells(in, size, &clusters);
-		if (collect(in, &clusters, out->triangles) > target)
+		collect(in, &clusters, out);
+		if (out->triangle_count > target)
 			low = size;
 		else
 			high = size;
 	}
 	if (!status) {
 		number_cells(in, high, &clusters);
-		out->triangle_count = collect(in, &clusters, out->triangles);
+		collect(in, &clusters, out);
 		place_means(in, &clusters, out);
 	}
 	free(clusters.uses);

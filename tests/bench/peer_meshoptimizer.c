@@ -41,12 +41,14 @@ peer_meshoptimizer(
 		left = meshopt_simplify(result, in->triangles[0].corner, count,
 			positions, in->point_count, 3 * sizeof *positions,
 			3 * target, FLT_MAX, 0, NULL);
-		for (size_t i = 0; i < left; i++)
-			out->triangles[i / 3].corner[i % 3] = result[i];
+		for (size_t i = 0; i < left; i += 3)
+			peer_put(in,
+				&(struct tcs_triangle){{result[i],
+					result[i + 1], result[i + 2]}},
+				out);
 		for (size_t i = 0; i < in->point_count; i++)
 			out->points[i] = in->points[i];
 		out->point_count = in->point_count;
-		out->triangle_count = left / 3;
 	}
 	free(positions);
 	free(result);

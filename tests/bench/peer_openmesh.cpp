@@ -31,7 +31,8 @@ position(const tcs_point &point)
 /* A triangle whose edges are taken already gets vertices of its own, as few as
    it takes. */
 void
-add_triangle(mesh_type &mesh, const peer_mesh &in, const tcs_triangle &triangle)
+add_triangle(mesh_type &mesh, const peer_mesh &in, const tcs_triangle &triangle,
+	std::vector<uint32_t> &components)
 {
 	std::vector<mesh_type::VertexHandle> own(3);
 
@@ -45,6 +46,8 @@ add_triangle(mesh_type &mesh, const peer_mesh &in, const tcs_triangle &triangle)
 				? mesh.add_vertex(position(
 					  in.points[triangle.corner[i]]))
 				: mesh.vertex_handle(triangle.corner[i]);
+		components.resize(
+			mesh.n_vertices(), in.components[triangle.corner[0]]);
 		if (mesh.add_face(own).is_valid())
 			return;
 	}
@@ -56,12 +59,14 @@ simplify(const peer_mesh &in, size_t target, peer_mesh &out)
 	mesh_type mesh;
 	decimater_type decimater(mesh);
 	OpenMesh::Decimater::ModQuadricT<mesh_type>::Handle quadric;
+	std::vector<uint32_t> components(
+		in.components, in.components + in.point_count);
 
 	for (size_t i = 0; i < in.point_count; i++)
 		mesh.add_vertex(position(in.points[i]));
 	omerr().disable(); /* it names every complex edge */
 	for (size_t i = 0; i < in.triangle_count; i++)
-		add_triangle(mesh, in, in.triangles[i]);
+		add_triangle(mesh, in, in.triangles[i], components);
 	/* Its quadrics do not hold an open rim: pieces that are no solids would
 	   shrink to nothing at no cost. */
 	for (auto vertex : mesh.vertices())
@@ -71,7 +76,6 @@ simplify(const peer_mesh &in, size_t target, peer_mesh &out)
 	decimater.module(quadric).unset_max_err();
 	decimater.initialize();
 	decimater.decimate_to_faces(0, target);
-	mesh.garbage_collection();
 	out.triangle_count = out.point_count = 0;
 	for (auto face : mesh.faces())
 		for (auto vertex : mesh.fv_range(face)) {
@@ -82,6 +86,8 @@ simplify(const peer_mesh &in, size_t target, peer_mesh &out)
 			out.points[corner] = {at[0], at[1], at[2]};
 			out.triangles[corner / 3].corner[corner % 3] =
 				(uint32_t)corner;
+			out.components[corner / 3] =
+				components[(size_t)vertex.idx()];
 		}
 	out.triangle_count = out.point_count / 3;
 }

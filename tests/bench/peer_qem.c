@@ -340,8 +340,7 @@ take_result(const struct qem *qem, struct peer_mesh *out)
 	out->triangle_count = 0;
 	for (size_t i = 0; i < qem->mesh->triangle_count; i++)
 		if (!qem->gone[i])
-			out->triangles[out->triangle_count++] =
-				qem->triangles[i];
+			peer_put(qem->mesh, &qem->triangles[i], out);
 }
 
 int

@@ -2,7 +2,7 @@
  * lod_peer --peer NAME --rate R: simplify every object of a stream by a method
  * to compare with. Components share no vertex, an object has one number of
  * triangles for all of them together, and each triangle gets the surface of
- * the one nearest to it before. What is drawn at the highest level of detail
+ * the nearest one of its component before. What is drawn at the highest level of detail
  * is taken, as one geometry; placed prototypes are passed on.
  */
 #include <math.h>
@@ -50,8 +50,9 @@ allocate(struct simplifier *simplifier)
 	in->components = calloc(3 * triangles + 1, sizeof *in->components);
 	out->points = calloc(3 * triangles + 1, sizeof *out->points);
 	out->triangles = calloc(triangles + 1, sizeof *out->triangles);
+	out->components = calloc(triangles + 1, sizeof *out->components);
 	return in->points && in->triangles && in->components && out->points &&
-			out->triangles
+			out->triangles && out->components
 		? 0
 		: -1;
 }
@@ -64,6 +65,7 @@ deallocate(struct simplifier *simplifier)
 	free(simplifier->in.components);
 	free(simplifier->out.points);
 	free(simplifier->out.triangles);
+	free(simplifier->out.components);
 	simplifier->in = simplifier->out = (struct peer_mesh){0};
 }
 
@@ -112,32 +114,34 @@ make_input(struct simplifier *simplifier)
 
 /* ---- what becomes of it -------------------------------------------------- */
 
-/* The surface of the triangle before that lies nearest and faces that way. */
+/* The surface of the component's triangle that lies nearest and faces that
+   way. */
 static uint32_t
-surface_of(const struct compare_side *side, const struct triangle_shape *shape)
+surface_of(const struct component_set *set, uint32_t component,
+	const struct triangle_shape *shape)
 {
+	uint32_t root = set->components.at[component].root;
 	struct tcs_point centre = vector_scaled(
 		vector_sum(shape->corner[0],
 			vector_sum(shape->corner[1], shape->corner[2])),
 		1.0 / 3);
-	struct tree_hit hit = triangle_tree_nearest_facing(&side->surfaces,
-		side->whole, centre, triangle_normal(shape), INFINITY);
+	struct tree_hit hit = triangle_tree_nearest_facing(
+		&set->tree, root, centre, triangle_normal(shape), INFINITY);
 
 	if (!isfinite(hit.distance))
-		hit = triangle_tree_nearest(
-			&side->surfaces, side->whole, centre, INFINITY);
-	return side->set.features.at[hit.item];
+		hit = triangle_tree_nearest(&set->tree, root, centre, INFINITY);
+	return set->features.at[hit.item];
 }
 
 /* A polygon of three vertices of its own. */
 static void
-put_triangle(struct tcs_object *to, const struct compare_side *side,
-	const struct triangle_shape *shape, const struct frame *frame)
+put_triangle(struct tcs_object *to, const struct triangle_shape *shape,
+	uint32_t surface, const struct frame *frame)
 {
 	uint32_t vertex = (uint32_t)to->vertices.count;
 
 	to->polygons.at[to->polygons.count++] = (struct tcs_polygon){
-		.surface = surface_of(side, shape),
+		.surface = surface,
 		.first_vertex = vertex,
 		.vertex_count = 3,
 		.first_triangle = (uint32_t)to->triangles.count,
@@ -190,7 +194,10 @@ make_output(struct simplifier *simplifier, const struct tcs_object *from,
 		const struct triangle_shape shape = {{out->points[corner[0]],
 			out->points[corner[1]], out->points[corner[2]]}};
 
-		put_triangle(to, &simplifier->side, &shape, frame);
+		put_triangle(to, &shape,
+			surface_of(&simplifier->side.set, out->components[i],
+				&shape),
+			frame);
 	}
 	return TCS_OK;
 }
