@@ -512,6 +512,14 @@ void reader_init(struct tcs_reader *reader, FILE *file);
 void reader_release(struct tcs_reader *reader);
 
 /*
+ * The same over a file of the reader's own; NULL is standard input. Fails with
+ * TCS_SYSTEM. All zero may be closed.
+ */
+enum tcs_status reader_open(struct tcs_reader *reader, const char *name,
+	uint64_t max_record, struct tcs_fault *fault) TCS_CHECKED;
+void reader_close(struct tcs_reader *reader);
+
+/*
  * Read the next record: its CRC checked, its payload inflated. The head comes
  * first. The end record is read, compared with what passed, and reported by
  * reader->ended with record->type TCS_END; nothing may follow it, and nobody

@@ -69,6 +69,28 @@ reader_release(struct tcs_reader *reader)
 	array_release(&reader->packed);
 }
 
+enum tcs_status
+reader_open(struct tcs_reader *reader, const char *name, uint64_t max_record,
+	struct tcs_fault *fault)
+{
+	FILE *file = name ? fopen(name, "rb") : stdin;
+
+	if (!file)
+		return fault_system(fault, "cannot read", name);
+	reader_init(reader, file);
+	reader->max_record = max_record;
+	return TCS_OK;
+}
+
+void
+reader_close(struct tcs_reader *reader)
+{
+	reader_release(reader);
+	if (reader->file && reader->file != stdin)
+		fclose(reader->file);
+	reader->file = NULL;
+}
+
 /* Read exactly `length` bytes. */
 static enum tcs_status
 read_exactly(struct tcs_reader *reader, void *bytes, size_t length,
