@@ -1,9 +1,7 @@
 /* tcs2json: a component stream as lines of JSON. */
 #include "crew.h"
 #include "json_record.h"
-#include "output.h"
-#include "program.h"
-#include "report.h"
+#include "stage.h"
 #include "tally_report.h"
 #include "tcs.h"
 
@@ -14,8 +12,7 @@ struct item {
 };
 
 struct run {
-	FILE *in;
-	struct output out;
+	struct stage *stage;
 	struct tcs_reader reader;
 };
 
@@ -44,11 +41,11 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 {
 	struct run *run = context;
 	const struct item *item = slot;
+	const struct output *out = &run->stage->out;
 	size_t length = item->json.bytes.count;
 
-	if (fwrite(item->json.bytes.at, 1, length, run->out.file) != length)
-		return fault_system(fault, "cannot write",
-			run->out.name ? run->out.name : "standard output");
+	if (fwrite(item->json.bytes.at, 1, length, out->file) != length)
+		return fault_system(fault, "cannot write", out->name);
 	return TCS_OK;
 }
 
@@ -68,22 +65,9 @@ release_decoder(void *worker)
 }
 
 static enum tcs_status
-open_run(struct run *run, const struct command *command, uint64_t max_record,
-	struct tcs_fault *fault)
+print_stream(struct run *run, struct tcs_fault *fault)
 {
-	run->in = command->input ? fopen(command->input, "rb") : stdin;
-	if (!run->in)
-		return fault_system(fault, "cannot open", command->input);
-	reader_init(&run->reader, run->in);
-	run->reader.max_record = max_record;
-	return output_open(&run->out, command->output, fault);
-}
-
-static enum tcs_status
-convert(struct run *run, const struct command *command, uint64_t max_record,
-	struct tcs_fault *fault)
-{
-	enum tcs_status status = open_run(run, command, max_record, fault);
+	const struct command *command = run->stage->command;
 	const struct crew_plan plan = {
 		.context = run,
 		.slot_size = sizeof(struct item),
@@ -94,38 +78,27 @@ convert(struct run *run, const struct command *command, uint64_t max_record,
 		.worker_release = release_decoder,
 		.slot_release = release_item,
 	};
+	enum tcs_status status =
+		output_open(&run->stage->out, command->output, fault);
 
 	if (!status)
 		status = crew_run(&plan, command->jobs, fault);
-	if (!status)
-		status = output_commit(&run->out, fault);
-	else
-		output_discard(&run->out);
-	return status;
-}
-
-static void
-close_run(struct run *run)
-{
-	reader_release(&run->reader);
-	if (run->in && run->in != stdin)
-		fclose(run->in);
+	return status
+		? status
+		: tally_report(&run->reader.tally, &run->stage->report, fault);
 }
 
 static enum tcs_status
-write_stats(const struct command *command, const struct tcs_tally *tally,
-	struct tcs_fault *fault)
+convert(void *context, struct stage *stage, struct tcs_fault *fault)
 {
-	struct report report = {0};
-	enum tcs_status status;
+	const uint64_t *max_record = context;
+	struct run run = {.stage = stage};
+	enum tcs_status status = reader_open(
+		&run.reader, stage->command->input, *max_record, fault);
 
-	if (!command->stats)
-		return TCS_OK;
-	status = tally_report(tally, &report, fault);
 	if (!status)
-		status = report_write(
-			&report, command->program->name, command->stats, fault);
-	report_release(&report);
+		status = print_stream(&run, fault);
+	reader_close(&run.reader);
 	return status;
 }
 
@@ -149,18 +122,10 @@ main(int argc, char **argv)
 		.flags = PROGRAM_READS | PROGRAM_BINARY_IN,
 	};
 	struct command command;
-	struct tcs_fault fault;
-	struct run run = {0};
-	enum tcs_status status;
-	int code = EXIT_DONE;
+	int code;
 
 	program_begin(&program, argc, argv, &command);
-	status = convert(&run, &command, max_record, &fault);
-	if (!status)
-		status = write_stats(&command, &run.reader.tally, &fault);
-	if (status)
-		code = program_fail(&command, &fault);
-	close_run(&run);
+	code = stage_run(&command, convert, &max_record);
 	program_end(&command);
 	return code;
 }
