@@ -6,9 +6,7 @@
 #include "input.h"
 #include "json_build.h"
 #include "json_lines.h"
-#include "output.h"
-#include "program.h"
-#include "report.h"
+#include "stage.h"
 #include "tally_report.h"
 #include "tcs.h"
 
@@ -22,19 +20,19 @@ struct item {
 	struct tcs_tally claimed;
 };
 
+struct options {
+	uint64_t max_record;
+	bool compress;
+};
+
 struct run {
-	const struct command *command;
+	const struct options *options;
+	struct stage *stage;
 	struct input in;
 	struct line_reader lines;
-	struct output out;
 	struct tcs_writer writer;
 	struct json_builder checked; /* what the writer decodes to check it */
 	bool ended;
-};
-
-struct wishes {
-	uint64_t max_record;
-	bool compress;
 };
 
 /* Name the line in a fault that does not know it. */
@@ -92,7 +90,7 @@ static enum tcs_status
 end_stream(struct run *run, const struct item *item, struct tcs_fault *fault)
 {
 	run->ended = true;
-	if (run->command->strict &&
+	if (run->stage->command->strict &&
 		memcmp(&item->claimed, &run->writer.tally,
 			sizeof item->claimed) != 0) {
 		fault_set(fault, TCS_BAD_INPUT, TCS_NOWHERE,
@@ -139,29 +137,10 @@ release_builder(void *worker)
 }
 
 static enum tcs_status
-open_run(struct run *run, const struct command *command,
-	const struct wishes *wishes, struct tcs_fault *fault)
+build_stream(struct run *run, struct tcs_fault *fault)
 {
-	enum tcs_status status = input_open(&run->in, command->input, fault);
-
-	run->command = command;
-	if (status)
-		return status;
-	run->lines.input = &run->in;
-	run->lines.max_line = wishes->max_record;
-	status = output_open(&run->out, command->output, fault);
-	if (status)
-		return status;
-	writer_init(&run->writer, run->out.file,
-		wishes->compress ? COMPRESSION : 0);
-	return TCS_OK;
-}
-
-static enum tcs_status
-convert(struct run *run, const struct command *command,
-	const struct wishes *wishes, struct tcs_fault *fault)
-{
-	enum tcs_status status = open_run(run, command, wishes, fault);
+	const struct command *command = run->stage->command;
+	struct output *out = &run->stage->out;
 	const struct crew_plan plan = {
 		.context = run,
 		.slot_size = sizeof(struct item),
@@ -172,60 +151,55 @@ convert(struct run *run, const struct command *command,
 		.worker_release = release_builder,
 		.slot_release = release_item,
 	};
+	enum tcs_status status = output_open(out, command->output, fault);
 
-	if (!status)
-		status = crew_run(&plan, command->jobs, fault);
+	if (status)
+		return status;
+	writer_init(&run->writer, out->file,
+		run->options->compress ? COMPRESSION : 0);
+	status = crew_run(&plan, command->jobs, fault);
 	if (!status && !run->ended)
 		status = fault_set(fault, TCS_TRUNCATED, TCS_NOWHERE,
 			"the text stops without its end line");
-	if (!status)
-		status = output_commit(&run->out, fault);
-	else
-		output_discard(&run->out);
-	return status;
-}
-
-static void
-close_run(struct run *run)
-{
-	json_builder_release(&run->checked);
-	writer_release(&run->writer);
-	lines_release(&run->lines);
-	input_close(&run->in);
+	return status
+		? status
+		: tally_report(&run->writer.tally, &run->stage->report, fault);
 }
 
 static enum tcs_status
-write_stats(const struct command *command, const struct tcs_tally *tally,
-	struct tcs_fault *fault)
+convert(void *context, struct stage *stage, struct tcs_fault *fault)
 {
-	struct report report = {0};
-	enum tcs_status status;
+	const struct options *options = context;
+	struct run run = {.options = options, .stage = stage};
+	enum tcs_status status =
+		input_open(&run.in, stage->command->input, fault);
 
-	if (!command->stats)
-		return TCS_OK;
-	status = tally_report(tally, &report, fault);
+	run.lines.input = &run.in;
+	run.lines.max_line = options->max_record;
 	if (!status)
-		status = report_write(
-			&report, command->program->name, command->stats, fault);
-	report_release(&report);
+		status = build_stream(&run, fault);
+	json_builder_release(&run.checked);
+	writer_release(&run.writer);
+	lines_release(&run.lines);
+	input_close(&run.in);
 	return status;
 }
 
 int
 main(int argc, char **argv)
 {
-	struct wishes wishes = {.max_record = TCS_MAX_RECORD};
+	struct options asked = {.max_record = TCS_MAX_RECORD};
 	const struct option_row options[] = {
 		{.type = OPTION_FLAG,
 			.letter = 'z',
 			.name = "compress",
 			.help = "Compress the records, for storage.",
-			.target = &wishes.compress},
+			.target = &asked.compress},
 		{.type = OPTION_BYTES,
 			.name = "max-record",
 			.argument = "BYTES",
 			.help = "Refuse lines of more bytes (default: 8G).",
-			.target = &wishes.max_record},
+			.target = &asked.max_record},
 		{0},
 	};
 	const struct program program = {
@@ -236,18 +210,10 @@ main(int argc, char **argv)
 		.flags = PROGRAM_READS | PROGRAM_BINARY_OUT,
 	};
 	struct command command;
-	struct tcs_fault fault;
-	struct run run = {0};
-	enum tcs_status status;
-	int code = EXIT_DONE;
+	int code;
 
 	program_begin(&program, argc, argv, &command);
-	status = convert(&run, &command, &wishes, &fault);
-	if (!status)
-		status = write_stats(&command, &run.writer.tally, &fault);
-	if (status)
-		code = program_fail(&command, &fault);
-	close_run(&run);
+	code = stage_run(&command, convert, &asked);
 	program_end(&command);
 	return code;
 }
