@@ -154,11 +154,11 @@ write_head(struct document *document, struct markup *markup,
 
 enum tcs_status
 document_begin(struct document *document, const struct compose_plan *plan,
-	struct tcs_fault *fault)
+	struct report *report, struct tcs_fault *fault)
 {
 	int fd = input_nameless();
 
-	*document = (struct document){.plan = plan};
+	*document = (struct document){.plan = plan, .report = report};
 	document->again.plan = plan;
 	if (fd >= 0)
 		document->members = fdopen(fd, "w+b");
@@ -184,7 +184,6 @@ document_release(struct document *document)
 	id_set_release(&document->ids);
 	id_set_release(&document->linked);
 	composer_release(&document->again);
-	report_release(&document->report);
 }
 
 /* Whether the file so far agrees with what the text defines and needs. */
@@ -371,7 +370,7 @@ document_add(struct document *document, struct composed *composed,
 			composed, fault);
 	if (!status)
 		status = report_merge(
-			&document->report, &composed->report, fault);
+			document->report, &composed->report, fault);
 	if (!status)
 		status = add_ids(&document->ids, composed->defined.at,
 			composed->defined.count, fault);
@@ -398,7 +397,7 @@ note_dangling(struct document *document, struct tcs_fault *fault)
 	for (size_t i = 0; i < document->linked.room && !status; i++)
 		if (document->linked.slots[i] &&
 			!id_set_has(&document->ids, document->linked.slots[i]))
-			status = report_item(&document->report, REPORT_NOTE,
+			status = report_item(document->report, REPORT_NOTE,
 				"link", "its target is not in the stream", NULL,
 				TCS_NOWHERE, fault);
 	return status;

@@ -30,7 +30,7 @@ struct document {
 	struct composer again; /* for objects whose ids are taken */
 	TCS_ARRAY(struct document_prototype) prototypes;
 	TCS_ARRAY(char) appearances; /* of those in the object being put */
-	struct report report;
+	struct report *report; /* borrowed */
 	struct tcs_point lower, upper;
 	bool has_bounds;
 	uint64_t member_count;
@@ -39,7 +39,8 @@ struct document {
 };
 
 enum tcs_status document_begin(struct document *document,
-	const struct compose_plan *plan, struct tcs_fault *fault) TCS_CHECKED;
+	const struct compose_plan *plan, struct report *report,
+	struct tcs_fault *fault) TCS_CHECKED;
 void document_release(struct document *document);
 
 /*

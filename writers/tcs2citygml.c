@@ -3,11 +3,11 @@
 
 #include "citygml_document.h"
 #include "crew.h"
-#include "output.h"
-#include "program.h"
-#include "report.h"
+#include "stage.h"
 #include "tally_report.h"
 #include "tcs.h"
+
+enum { COMPRESSION = 6 }; /* zlib's level of a gzip file */
 
 struct options {
 	enum gml_version version;
@@ -22,8 +22,8 @@ struct passing {
 };
 
 struct run {
-	FILE *in;
-	struct output out;
+	const struct options *options;
+	struct stage *stage;
 	struct tcs_reader reader;
 	struct tcs_record head_record;
 	struct tcs_head head;
@@ -96,7 +96,7 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	case TCS_END:
 		return TCS_OK;
 	default:
-		return report_item(&run->document.report, REPORT_SKIPPED,
+		return report_item(&run->stage->report, REPORT_SKIPPED,
 			"record", "of a kind this program does not know", NULL,
 			item->record.at, fault);
 	}
@@ -118,8 +118,7 @@ release_composer(void *worker)
 }
 
 static enum tcs_status
-read_head(
-	struct run *run, const struct options *options, struct tcs_fault *fault)
+read_head(struct run *run, struct tcs_fault *fault)
 {
 	const struct tcs_crs *crs;
 	enum tcs_status status;
@@ -128,8 +127,8 @@ read_head(
 	if (!status)
 		status = head_decode(&run->head, &run->head_record, fault);
 	if (!status)
-		status =
-			schema_init(&run->plan.schema, options->version, fault);
+		status = schema_init(
+			&run->plan.schema, run->options->version, fault);
 	if (status)
 		return status;
 	run->plan.palette = &run->palette;
@@ -138,21 +137,8 @@ read_head(
 	run->plan.geographic = crs->kind == TCS_CRS_GEOGRAPHIC;
 	run->plan.metres = crs->metres_per_unit;
 	run->plan.metres_up = crs->metres_per_unit_up;
-	return document_begin(&run->document, &run->plan, fault);
-}
-
-static enum tcs_status
-open_run(struct run *run, const struct command *command,
-	const struct options *options, struct tcs_fault *fault)
-{
-	if (pthread_rwlock_init(&run->palette.lock, NULL))
-		return fault_memory(fault);
-	run->in = command->input ? fopen(command->input, "rb") : stdin;
-	if (!run->in)
-		return fault_system(fault, "cannot open", command->input);
-	reader_init(&run->reader, run->in);
-	run->reader.max_record = options->max_record;
-	return read_head(run, options, fault);
+	return document_begin(
+		&run->document, &run->plan, &run->stage->report, fault);
 }
 
 static bool
@@ -164,32 +150,25 @@ ends_in_gz(const char *name)
 }
 
 static enum tcs_status
-write_document(struct run *run, const struct command *command,
-	const struct options *options, struct tcs_fault *fault)
+write_document(struct run *run, struct tcs_fault *fault)
 {
-	bool gzip = options->gzip || ends_in_gz(command->output);
+	const struct command *command = run->stage->command;
+	struct output *out = &run->stage->out;
+	bool gzip = run->options->gzip || ends_in_gz(command->output);
 	enum tcs_status status = TCS_OK;
 
 	if (command->strict)
-		status = report_strict(&run->document.report, fault);
+		status = report_strict(&run->stage->report, fault);
 	if (!status)
-		status = output_open(&run->out, command->output, fault);
-	if (status)
-		return status;
-	status = document_end(
-		&run->document, &run->head, run->out.file, gzip ? 6 : 0, fault);
-	if (!status)
-		status = output_commit(&run->out, fault);
-	else
-		output_discard(&run->out);
-	return status;
+		status = output_open(out, command->output, fault);
+	return status ? status
+		      : document_end(&run->document, &run->head, out->file,
+				gzip ? COMPRESSION : 0, fault);
 }
 
 static enum tcs_status
-convert(struct run *run, const struct command *command,
-	const struct options *options, struct tcs_fault *fault)
+read_stream(struct run *run, struct tcs_fault *fault)
 {
-	enum tcs_status status = open_run(run, command, options, fault);
 	const struct crew_plan plan = {
 		.context = run,
 		.slot_size = sizeof(struct passing),
@@ -200,12 +179,28 @@ convert(struct run *run, const struct command *command,
 		.worker_release = release_composer,
 		.slot_release = release_item,
 	};
+	enum tcs_status status = read_head(run, fault);
+
+	return status ? status
+		      : crew_run(&plan, run->stage->command->jobs, fault);
+}
+
+static enum tcs_status
+count(struct run *run, struct tcs_fault *fault)
+{
+	struct report *report = &run->stage->report;
+	const struct document *document = &run->document;
+	enum tcs_status status =
+		tally_report(&run->reader.tally, report, fault);
 
 	if (!status)
-		status = crew_run(&plan, command->jobs, fault);
+		status = report_add(
+			report, "members", document->member_count, fault);
 	if (!status)
-		status = write_document(run, command, options, fault);
-	return status;
+		status = report_add(
+			report, "polygons written", document->polygons, fault);
+	return status ? status
+		      : report_add(report, "bytes", document->bytes, fault);
 }
 
 static void
@@ -217,35 +212,28 @@ close_run(struct run *run)
 	record_release(&run->head_record);
 	gml_palette_release(&run->palette);
 	palette_release(&run->more);
-	reader_release(&run->reader);
-	if (run->in && run->in != stdin)
-		fclose(run->in);
+	pthread_rwlock_destroy(&run->palette.lock);
+	reader_close(&run->reader);
 }
 
-/* The lines on standard error, and --stats. */
 static enum tcs_status
-tell(struct run *run, const struct command *command, struct tcs_fault *fault)
+convert(void *context, struct stage *stage, struct tcs_fault *fault)
 {
-	struct report *report = &run->document.report;
+	const struct options *options = context;
+	struct run run = {.options = options, .stage = stage};
 	enum tcs_status status;
 
-	if (!command->quiet)
-		report_print(report, command->program->name, stderr);
-	if (!command->stats)
-		return TCS_OK;
-	status = tally_report(&run->reader.tally, report, fault);
+	if (pthread_rwlock_init(&run.palette.lock, NULL))
+		return fault_memory(fault);
+	status = reader_open(
+		&run.reader, stage->command->input, options->max_record, fault);
 	if (!status)
-		status = report_add(
-			report, "members", run->document.member_count, fault);
+		status = read_stream(&run, fault);
 	if (!status)
-		status = report_add(report, "polygons written",
-			run->document.polygons, fault);
+		status = write_document(&run, fault);
 	if (!status)
-		status =
-			report_add(report, "bytes", run->document.bytes, fault);
-	if (!status)
-		status = report_write(
-			report, command->program->name, command->stats, fault);
+		status = count(&run, fault);
+	close_run(&run);
 	return status;
 }
 
@@ -279,18 +267,10 @@ main(int argc, char **argv)
 		.flags = PROGRAM_READS | PROGRAM_BINARY_IN,
 	};
 	struct command command;
-	struct tcs_fault fault;
-	struct run run = {0};
-	enum tcs_status status;
-	int code = EXIT_DONE;
+	int code;
 
 	program_begin(&program, argc, argv, &command);
-	status = convert(&run, &command, &asked, &fault);
-	if (!status)
-		status = tell(&run, &command, &fault);
-	if (status)
-		code = program_fail(&command, &fault);
-	close_run(&run);
+	code = stage_run(&command, convert, &asked);
 	program_end(&command);
 	return code;
 }

@@ -24,6 +24,7 @@ struct run {
 	struct composer composer;
 	struct composed composed;
 	struct document document;
+	struct report report;
 	struct tcs_record head_record; /* lends the head */
 	struct tcs_head head;
 	struct tcs_palette more;
@@ -128,7 +129,8 @@ begin(struct run *run, struct tcs_record *record)
 	run->plan.geographic = crs->kind == TCS_CRS_GEOGRAPHIC;
 	run->plan.metres = crs->metres_per_unit;
 	run->plan.metres_up = crs->metres_per_unit_up;
-	run->began = !document_begin(&run->document, &run->plan, &fault);
+	run->began = !document_begin(
+		&run->document, &run->plan, &run->report, &fault);
 	return run->began;
 }
 
@@ -260,6 +262,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	composed_release(&run.composed);
 	if (run.began)
 		document_release(&run.document);
+	report_release(&run.report);
 	head_release(&run.head);
 	record_release(&run.head_record);
 	palette_release(&run.more);
