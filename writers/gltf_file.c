@@ -1,38 +1,36 @@
 #include "gltf_file.h"
 
 #include <stdlib.h>
-#include <unistd.h>
 
 #include "gltf_name.h"
 #include "program.h"
 
 enum tcs_status
-file_open(struct gltf_file *file, const char *name, bool is_pair,
-	struct tcs_fault *fault)
+file_open(struct gltf_file *file, const char *name, struct output *json,
+	struct output *bin, struct tcs_fault *fault)
 {
-	enum tcs_status status;
+	enum tcs_status status = output_open(json, name, fault);
 
-	*file = (struct gltf_file){.is_pair = is_pair};
-	status = output_open(&file->json, name, fault);
-	if (status || !is_pair)
+	*file = (struct gltf_file){.json = json, .bin = bin};
+	if (status || !bin)
 		return status;
-	if (!file->json.temporary)
+	if (!json->temporary)
 		return fault_set(fault, TCS_SYSTEM, TCS_NOWHERE,
 			"cannot write %s: a .gltf needs a regular file",
-			file->json.name);
+			json->name);
 	file->bin_name = name_of_bin(name);
 	if (!file->bin_name)
 		return fault_memory(fault);
 	file->bin_uri = name_as_uri(file->bin_name);
 	if (!file->bin_uri)
 		return fault_memory(fault);
-	return output_open(&file->bin, file->bin_name, fault);
+	return output_open(bin, file->bin_name, fault);
 }
 
 const char *
 file_beside(const struct gltf_file *file)
 {
-	return file->json.temporary;
+	return file->json->temporary;
 }
 
 /* z up becomes y up: (x, y, z) to (x, z, -y). */
@@ -97,32 +95,15 @@ file_write(struct gltf_file *file, struct city *city,
 	status = city_finish(city, &root, &json_size, fault);
 	if (status)
 		return status;
-	if (file->is_pair)
-		return city_write_pair(city, &file->json, &file->bin, fault);
+	if (file->bin)
+		return city_write_pair(city, file->json, file->bin, fault);
 	return city_write_glb(
-		city, json_size, root.buffer_size, &file->json, fault);
-}
-
-enum tcs_status
-file_commit(struct gltf_file *file, struct tcs_fault *fault)
-{
-	enum tcs_status status = TCS_OK;
-
-	if (file->is_pair)
-		status = output_commit(&file->bin, fault);
-	if (status)
-		return status;
-	status = output_commit(&file->json, fault);
-	if (status && file->is_pair)
-		unlink(file->bin_name);
-	return status;
+		city, json_size, root.buffer_size, file->json, fault);
 }
 
 void
-file_discard(struct gltf_file *file)
+file_release(struct gltf_file *file)
 {
-	output_discard(&file->json);
-	output_discard(&file->bin);
 	free(file->bin_name);
 	free(file->bin_uri);
 	file->bin_name = file->bin_uri = NULL;

@@ -1,6 +1,5 @@
 /*
- * A city becomes files: one GLB, or a .gltf with its .bin. Nothing appears
- * under its name before everything is written.
+ * A city becomes files: one GLB, or a .gltf with its .bin.
  */
 #ifndef TESSERA_GLTF_FILE_H
 #define TESSERA_GLTF_FILE_H
@@ -12,17 +11,21 @@
 #include "gltf_stream.h"
 #include "output.h"
 
+/* All zero is empty. The outputs are the caller's. */
 struct gltf_file {
-	struct output json; /* or the GLB */
-	struct output bin; /* of a pair */
-	bool is_pair;
+	struct output *json; /* or the GLB */
+	struct output *bin; /* of a pair; NULL for a GLB */
 	char *bin_name; /* owned */
 	char *bin_uri; /* owned */
 };
 
-/* A pair needs a name that can be a regular file. */
+/*
+ * Open the outputs: a GLB, or with a `bin` a pair, which needs a name that can
+ * be a regular file. The file must outlive them.
+ */
 enum tcs_status file_open(struct gltf_file *file, const char *name,
-	bool is_pair, struct tcs_fault *fault) TCS_CHECKED;
+	struct output *json, struct output *bin,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /* The folder of spools: see gltf_spool.h. */
 const char *file_beside(const struct gltf_file *file);
@@ -35,11 +38,6 @@ enum tcs_status file_write(struct gltf_file *file, struct city *city,
 	const struct stream_head *head, bool translate,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/* Let the file or the pair appear. */
-enum tcs_status file_commit(
-	struct gltf_file *file, struct tcs_fault *fault) TCS_CHECKED;
-
-/* Remove what was not committed; harmless after a commit. */
-void file_discard(struct gltf_file *file);
+void file_release(struct gltf_file *file);
 
 #endif

@@ -254,7 +254,7 @@ release_converter(void *worker)
 }
 
 enum tcs_status
-stream_to_city(FILE *file, const struct stream_settings *settings,
+stream_to_city(const char *name, const struct stream_settings *settings,
 	struct city *city, struct stream_head *head, struct report *report,
 	struct progress *progress, struct tcs_fault *fault)
 {
@@ -275,15 +275,15 @@ stream_to_city(FILE *file, const struct stream_settings *settings,
 		.worker_release = release_converter,
 		.slot_release = release_item,
 	};
-	enum tcs_status status;
+	enum tcs_status status =
+		reader_open(&passage.reader, name, settings->max_record, fault);
 
-	reader_init(&passage.reader, file);
-	passage.reader.max_record = settings->max_record;
-	status = crew_run(&plan, settings->jobs, fault);
+	if (!status)
+		status = crew_run(&plan, settings->jobs, fault);
 	converter_release(&passage.sharing);
 	mesh_release(&passage.shared);
 	prototypes_release(&passage.prototypes);
-	reader_release(&passage.reader);
+	reader_close(&passage.reader);
 	return status;
 }
 

@@ -7,7 +7,6 @@
 
 #include <stdbool.h>
 #include <stdint.h>
-#include <stdio.h>
 
 #include "fault.h"
 #include "gltf_city.h"
@@ -31,10 +30,10 @@ struct stream_head {
 };
 
 /*
- * Read all of `file`. Without an origin in the head, it is the first vertex,
+ * Read all of a file; NULL is standard input. Without an origin in the head, it is the first vertex,
  * rounded down. `head` must be released on failure too.
  */
-enum tcs_status stream_to_city(FILE *file,
+enum tcs_status stream_to_city(const char *name,
 	const struct stream_settings *settings, struct city *city,
 	struct stream_head *head, struct report *report,
 	struct progress *progress, struct tcs_fault *fault) TCS_CHECKED;

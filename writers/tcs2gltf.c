@@ -1,16 +1,13 @@
+/* tcs2gltf: a component stream as glTF 2.0. */
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "gltf_city.h"
 #include "gltf_file.h"
 #include "gltf_name.h"
 #include "gltf_stream.h"
-#include "output.h"
-#include "program.h"
 #include "progress.h"
-#include "report.h"
+#include "stage.h"
 
 /* As the option table lists them. */
 enum format { FORMAT_GLB, FORMAT_GLTF, FORMAT_BY_NAME };
@@ -26,6 +23,11 @@ struct options {
 	unsigned max_columns;
 	const char *images;
 	uint64_t max_image;
+};
+
+struct run {
+	struct options options;
+	struct gltf_file file;
 };
 
 static const struct options defaults = {
@@ -52,64 +54,6 @@ parse_lod(void *target, const char *argument)
 	return NULL;
 }
 
-/* Convert the open input into the open file, ready to commit. */
-static enum tcs_status
-convert(const struct command *command, const struct options *options, FILE *in,
-	struct gltf_file *file, struct report *report, struct tcs_fault *fault)
-{
-	struct stream_head head = {.origin = {0, 0, 0}};
-	struct progress progress;
-	const struct city_settings settings = {
-		.beside = file_beside(file),
-		.image_folder = options->images,
-		.image_limit = options->max_image,
-		.column_limit = options->max_columns,
-		.drop_textures = options->stream.convert.drop_textures,
-		.gpu_instances =
-			options->stream.convert.instances == INSTANCES_GPU,
-	};
-	struct city city;
-	enum tcs_status status = city_begin(&city, &settings, fault);
-
-	progress_begin(
-		&progress, command->program->name, "objects", command->quiet);
-	if (!status)
-		status = stream_to_city(in, &options->stream, &city, &head,
-			report, &progress, fault);
-	progress_end(&progress);
-	if (!status)
-		status = file_write(file, &city, &head,
-			options->origin == ORIGIN_TRANSLATION, fault);
-	stream_head_release(&head);
-	city_release(&city);
-	return status;
-}
-
-/* The whole run between the command line and the exit code. */
-static enum tcs_status
-run(const struct command *command, const struct options *options, bool is_pair,
-	struct report *report, struct tcs_fault *fault)
-{
-	FILE *in = command->input ? fopen(command->input, "rb") : stdin;
-	struct gltf_file file;
-	enum tcs_status status;
-
-	if (!in)
-		return fault_system(fault, "cannot read", command->input);
-	status = file_open(&file, command->output, is_pair, fault);
-	if (!status)
-		status = convert(command, options, in, &file, report, fault);
-	if (!status && command->stats)
-		status = report_write(
-			report, command->program->name, command->stats, fault);
-	if (!status)
-		status = file_commit(&file, fault);
-	file_discard(&file);
-	if (in != stdin)
-		fclose(in);
-	return status;
-}
-
 static bool
 wants_pair(const struct command *command, const struct options *options)
 {
@@ -118,16 +62,68 @@ wants_pair(const struct command *command, const struct options *options)
 	return options->format == FORMAT_GLTF;
 }
 
+static enum tcs_status
+write_city(struct run *run, struct city *city, struct stage *stage,
+	struct tcs_fault *fault)
+{
+	const struct command *command = stage->command;
+	const struct options *options = &run->options;
+	struct stream_head head = {.origin = {0, 0, 0}};
+	struct progress progress;
+	enum tcs_status status;
+
+	progress_begin(
+		&progress, command->program->name, "objects", command->quiet);
+	status = stream_to_city(command->input, &options->stream, city, &head,
+		&stage->report, &progress, fault);
+	progress_end(&progress);
+	if (!status)
+		status = file_write(&run->file, city, &head,
+			options->origin == ORIGIN_TRANSLATION, fault);
+	stream_head_release(&head);
+	return status;
+}
+
+static enum tcs_status
+convert(void *context, struct stage *stage, struct tcs_fault *fault)
+{
+	struct run *run = context;
+	const struct options *options = &run->options;
+	struct output *bin =
+		wants_pair(stage->command, options) ? &stage->beside : NULL;
+	enum tcs_status status = file_open(
+		&run->file, stage->command->output, &stage->out, bin, fault);
+	const struct city_settings settings = {
+		.beside = file_beside(&run->file),
+		.image_folder = options->images,
+		.image_limit = options->max_image,
+		.column_limit = options->max_columns,
+		.drop_textures = options->stream.convert.drop_textures,
+		.gpu_instances =
+			options->stream.convert.instances == INSTANCES_GPU,
+	};
+	struct city city;
+
+	if (status)
+		return status;
+	status = city_begin(&city, &settings, fault);
+	if (!status)
+		status = write_city(run, &city, stage, fault);
+	city_release(&city);
+	return status;
+}
+
 int
 main(int argc, char **argv)
 {
-	struct options options = defaults;
-	struct convert_settings *settings = &options.stream.convert;
+	struct run run = {.options = defaults};
+	struct options *options = &run.options;
+	struct convert_settings *settings = &options->stream.convert;
 	const struct option_row rows[] = {
 		{OPTION_CHOICE, 0, "format", "glb|gltf",
 			"Write GLB, or .gltf and .bin (default: by the "
 			"output's name, else glb).",
-			&options.format, 0, 0, NULL},
+			&options->format, 0, 0, NULL},
 		{OPTION_PARSE, 0, "lod", "N|highest|all",
 			"Draw this level of detail (default: the highest of "
 			"each feature).",
@@ -139,11 +135,11 @@ main(int argc, char **argv)
 		{OPTION_CHOICE, 0, "textures", "keep|drop",
 			"Keep texture images, or colour by material and class "
 			"only (default: keep).",
-			&options.textures, 0, 0, NULL},
+			&options->textures, 0, 0, NULL},
 		{OPTION_TEXT, 0, "images", "DIR",
 			"Read texture images from DIR, the folder of the "
 			"source, and from nowhere else.",
-			&options.images, 0, 0, NULL},
+			&options->images, 0, 0, NULL},
 		{OPTION_CHOICE, 0, "instances", "baked|nodes|gpu",
 			"Draw prototypes as part of each object, as nodes that "
 			"share a mesh, or by EXT_mesh_gpu_instancing (default: "
@@ -156,24 +152,24 @@ main(int argc, char **argv)
 		{OPTION_NUMBER, 0, "crease", "DEGREES",
 			"Keep edges of this angle in smooth normals (default: "
 			"30).",
-			&options.crease, 0, 180, NULL},
+			&options->crease, 0, 180, NULL},
 		{OPTION_CHOICE, 0, "origin", "extras|translation",
 			"Note the origin in extras only, or also move the "
 			"root node there (default: extras).",
-			&options.origin, 0, 0, NULL},
+			&options->origin, 0, 0, NULL},
 		{OPTION_UNSIGNED, 0, "max-columns", "N",
 			"Most columns of attributes in a table (default: "
 			"1024).",
-			&options.max_columns, 0, 65535, NULL},
+			&options->max_columns, 0, 65535, NULL},
 		{OPTION_BYTES, 0, "max-triangles", "N",
 			"Most triangles of one object (default: 256M).",
 			&settings->triangle_limit, 0, 0, NULL},
 		{OPTION_BYTES, 0, "max-image", "BYTES",
 			"Largest texture image (default: 256M).",
-			&options.max_image, 0, 0, NULL},
+			&options->max_image, 0, 0, NULL},
 		{OPTION_BYTES, 0, "max-record", "BYTES",
 			"Largest record of the stream (default: 8G).",
-			&options.stream.max_record, 0, 0, NULL},
+			&options->stream.max_record, 0, 0, NULL},
 		{.type = OPTION_END},
 	};
 	const struct program program = {
@@ -185,29 +181,19 @@ main(int argc, char **argv)
 		.flags = PROGRAM_READS | PROGRAM_BINARY_IN | PROGRAM_BINARY_OUT,
 	};
 	struct command command;
-	struct report report = {.counts = {NULL, 0, 0}};
-	struct tcs_fault fault;
-	bool is_pair;
-	int code = EXIT_DONE;
+	int code;
 
 	program_begin(&program, argc, argv, &command);
-	is_pair = wants_pair(&command, &options);
-	if (is_pair && !command.output) {
-		fprintf(stderr,
-			"tcs2gltf: --format gltf writes two files and "
-			"needs an output name\n");
-		program_end(&command);
-		return EXIT_USAGE;
-	}
-	options.stream.jobs = command.jobs;
-	options.stream.strict = command.strict;
-	settings->drop_textures = options.textures == TEXTURES_DROP;
-	settings->crease_cosine = cos(options.crease * acos(-1) / 180);
-	if (run(&command, &options, is_pair, &report, &fault))
-		code = program_fail(&command, &fault);
-	if (!command.quiet)
-		report_print(&report, program.name, stderr);
-	report_release(&report);
+	if (wants_pair(&command, options) && !command.output)
+		program_usage(&command,
+			"--format gltf writes two files and needs an output "
+			"name");
+	options->stream.jobs = command.jobs;
+	options->stream.strict = command.strict;
+	settings->drop_textures = options->textures == TEXTURES_DROP;
+	settings->crease_cosine = cos(options->crease * acos(-1) / 180);
+	code = stage_run(&command, convert, &run);
+	file_release(&run.file);
 	program_end(&command);
 	return code;
 }
