@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "ifc_convert.h"
-#include "output.h"
+#include "stage.h"
 
 /* "IfcWall,IfcSlab", in capitals or not. */
 static const char *
@@ -30,24 +30,19 @@ parse_types(void *target, const char *argument)
 }
 
 static enum tcs_status
-run(const struct command *command, const struct ifc_options *options,
-	struct report *report, struct tcs_fault *fault)
+convert(void *context, struct stage *stage, struct tcs_fault *fault)
 {
-	struct output output = {0};
+	const struct command *command = stage->command;
+	const struct ifc_options *options = context;
 	struct input input = {0};
-	enum tcs_status status;
+	enum tcs_status status = input_open(&input, command->input, fault);
 
-	status = input_open(&input, command->input, fault);
-	if (status)
-		return status;
-	status = output_open(&output, command->output, fault);
 	if (!status)
-		status = ifc_convert(
-			&input, output.file, options, command, report, fault);
+		status = output_open(&stage->out, command->output, fault);
+	if (!status)
+		status = ifc_convert(&input, stage->out.file, options, command,
+			&stage->report, fault);
 	input_close(&input);
-	if (!status)
-		status = output_commit(&output, fault);
-	output_discard(&output);
 	return status;
 }
 
@@ -106,20 +101,11 @@ main(int argc, char **argv)
 		.options = rows,
 		.flags = PROGRAM_READS | PROGRAM_BINARY_OUT,
 	};
-	struct report report = {0};
-	struct tcs_fault fault;
 	struct command command;
-	int exit_status = EXIT_DONE;
+	int code;
 
 	program_begin(&program, argc, argv, &command);
-	if (run(&command, &options, &report, &fault))
-		exit_status = program_fail(&command, &fault);
-	if (!command.quiet)
-		report_print(&report, program.name, stderr);
-	if (command.stats && exit_status == EXIT_DONE &&
-		report_write(&report, program.name, command.stats, &fault))
-		exit_status = program_fail(&command, &fault);
-	report_release(&report);
+	code = stage_run(&command, convert, &options);
 	program_end(&command);
-	return exit_status;
+	return code;
 }
