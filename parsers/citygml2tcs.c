@@ -4,7 +4,13 @@
 #include <string.h>
 
 #include "citygml_convert.h"
-#include "output.h"
+#include "stage.h"
+
+struct asked {
+	struct convert_options options;
+	enum { EXTENSIONS_KEEP, EXTENSIONS_DROP } extensions;
+	uint64_t max_bytes;
+};
 
 /* "highest", "all", or numbers as in "0,2". */
 static const char *
@@ -53,46 +59,46 @@ choose_folder(struct convert_options *options, const struct command *command,
 	*own = NULL;
 	if (given && !*given)
 		options->reading.folder = NULL;
-	if (given || !command->input || !strcmp(command->input, "-"))
+	if (given || !command->input)
 		return TCS_OK;
 	options->reading.folder = *own = folder_of(command->input);
 	return *own ? TCS_OK : fault_memory(fault);
 }
 
 static enum tcs_status
-run(const struct command *command, const struct convert_options *options,
-	uint64_t max_bytes, struct report *report, struct tcs_fault *fault)
+convert(void *context, struct stage *stage, struct tcs_fault *fault)
 {
-	struct output output = {0};
+	const struct command *command = stage->command;
+	struct asked *asked = context;
 	struct input input = {0};
-	enum tcs_status status;
+	char *folder;
+	enum tcs_status status =
+		choose_folder(&asked->options, command, &folder, fault);
 
-	status = input_open(&input, command->input, fault);
-	if (status)
-		return status;
-	input.max_bytes = max_bytes;
-	status = output_open(&output, command->output, fault);
 	if (!status)
-		status = citygml_convert(
-			&input, output.file, options, command, report, fault);
+		status = input_open(&input, command->input, fault);
+	input.max_bytes = asked->max_bytes;
+	if (!status)
+		status = output_open(&stage->out, command->output, fault);
+	if (!status)
+		status = citygml_convert(&input, stage->out.file,
+			&asked->options, command, &stage->report, fault);
 	input_close(&input);
-	if (!status)
-		status = output_commit(&output, fault);
-	output_discard(&output);
+	free(folder);
 	return status;
 }
 
 int
 main(int argc, char **argv)
 {
-	struct convert_options options = {
-		.lods.highest = true,
-		.reading.xml = {.depth = 512, .tag = 64 << 20},
-		.reading.max_feature = (uint64_t)2 << 30,
-		.reading.max_library = 16 << 20,
-	};
-	enum { EXTENSIONS_KEEP, EXTENSIONS_DROP } extensions = EXTENSIONS_KEEP;
-	uint64_t max_bytes = 0;
+	struct asked asked = {
+		.options = {
+			.lods.highest = true,
+			.reading.xml = {.depth = 512, .tag = 64 << 20},
+			.reading.max_feature = (uint64_t)2 << 30,
+			.reading.max_library = 16 << 20,
+		}};
+	struct gml_options *reading = &asked.options.reading;
 	const struct option_row rows[] = {
 		{.type = OPTION_PARSE,
 			.name = "lod",
@@ -100,31 +106,31 @@ main(int argc, char **argv)
 			.help = "Read these levels of detail: highest (of each "
 				"feature, the default), all, or numbers as "
 				"in 0,2.",
-			.target = &options.lods,
+			.target = &asked.options.lods,
 			.parse = parse_lods},
 		{.type = OPTION_CHOICE,
 			.name = "ade",
 			.argument = "keep|drop",
 			.help = "What extensions add: keep (the default) or "
 				"drop.",
-			.target = &extensions},
+			.target = &asked.extensions},
 		{.type = OPTION_TEXT,
 			.name = "images",
 			.argument = "DIR",
 			.help = "Folder of the images and other files that the "
 				"document names (default: its own).",
-			.target = &options.reading.folder},
+			.target = &reading->folder},
 		{.type = OPTION_FLAG,
 			.letter = 'z',
 			.name = "compress",
 			.help = "Compress the records, for storage.",
-			.target = &options.compress},
+			.target = &asked.options.compress},
 		{.type = OPTION_UNSIGNED,
 			.name = "max-depth",
 			.argument = "N",
 			.help = "Fail when elements nest deeper than N "
 				"(default: 512).",
-			.target = &options.reading.xml.depth,
+			.target = &reading->xml.depth,
 			.low = 8,
 			.high = 1000000},
 		{.type = OPTION_BYTES,
@@ -132,25 +138,25 @@ main(int argc, char **argv)
 			.argument = "N",
 			.help = "Fail when a tag or comment is longer than N "
 				"bytes (default: 64M).",
-			.target = &options.reading.xml.tag},
+			.target = &reading->xml.tag},
 		{.type = OPTION_BYTES,
 			.name = "max-feature",
 			.argument = "N",
 			.help = "Fail when a top-level feature is longer than "
 				"N bytes (default: 2G).",
-			.target = &options.reading.max_feature},
+			.target = &reading->max_feature},
 		{.type = OPTION_BYTES,
 			.name = "max-library",
 			.argument = "N",
 			.help = "Skip library objects of more than N bytes "
 				"(default: 16M).",
-			.target = &options.reading.max_library},
+			.target = &reading->max_library},
 		{.type = OPTION_BYTES,
 			.name = "max-bytes",
 			.argument = "N",
 			.help = "Fail when the document, uncompressed, is "
 				"longer than N bytes (default: no limit).",
-			.target = &max_bytes},
+			.target = &asked.max_bytes},
 		{0},
 	};
 	const struct program program = {
@@ -160,24 +166,12 @@ main(int argc, char **argv)
 		.options = rows,
 		.flags = PROGRAM_READS | PROGRAM_BINARY_OUT,
 	};
-	struct report report = {0};
-	struct tcs_fault fault;
 	struct command command;
-	char *folder;
-	int exit_status = EXIT_DONE;
+	int code;
 
 	program_begin(&program, argc, argv, &command);
-	options.reading.drop_extensions = extensions == EXTENSIONS_DROP;
-	if (choose_folder(&options, &command, &folder, &fault) ||
-		run(&command, &options, max_bytes, &report, &fault))
-		exit_status = program_fail(&command, &fault);
-	if (!command.quiet)
-		report_print(&report, program.name, stderr);
-	if (command.stats && exit_status == EXIT_DONE &&
-		report_write(&report, program.name, command.stats, &fault))
-		exit_status = program_fail(&command, &fault);
-	report_release(&report);
-	free(folder);
+	reading->drop_extensions = asked.extensions == EXTENSIONS_DROP;
+	code = stage_run(&command, convert, &asked);
 	program_end(&command);
-	return exit_status;
+	return code;
 }
