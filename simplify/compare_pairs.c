@@ -20,14 +20,11 @@ static enum tcs_status
 open_stream(struct pair_stream *stream, const char *name, uint64_t max_record,
 	struct tcs_fault *fault)
 {
-	enum tcs_status status;
+	enum tcs_status status =
+		reader_open(&stream->reader, name, max_record, fault);
 
-	stream->file = name ? fopen(name, "rb") : stdin;
-	if (!stream->file)
-		return fault_system(fault, "cannot open", name);
-	reader_init(&stream->reader, stream->file);
-	stream->reader.max_record = max_record;
-	status = reader_next(&stream->reader, &stream->record, fault);
+	if (!status)
+		status = reader_next(&stream->reader, &stream->record, fault);
 	if (!status)
 		status = head_decode(&stream->head, &stream->record, fault);
 	return status;
@@ -39,11 +36,9 @@ close_stream(struct pair_stream *stream)
 	for (size_t i = 0; i < stream->prototypes.count; i++)
 		pair_object_free(stream->prototypes.at[i]);
 	array_release(&stream->prototypes);
-	reader_release(&stream->reader);
+	reader_close(&stream->reader);
 	head_release(&stream->head);
 	record_release(&stream->record);
-	if (stream->file && stream->file != stdin)
-		fclose(stream->file);
 }
 
 /* The next object or prototype, other records passed over; NULL at the end. */

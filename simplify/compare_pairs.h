@@ -26,7 +26,6 @@ struct pair_object {
 
 /* One stream. */
 struct pair_stream {
-	FILE *file;
 	struct tcs_reader reader;
 	struct tcs_head head;
 	struct tcs_record record; /* of the head */

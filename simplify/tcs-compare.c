@@ -3,10 +3,8 @@
 #include "compare_pairs.h"
 #include "compare_print.h"
 #include "crew.h"
-#include "output.h"
-#include "program.h"
 #include "progress.h"
-#include "report.h"
+#include "stage.h"
 
 struct options {
 	struct compare_settings settings;
@@ -22,9 +20,9 @@ struct item {
 
 struct run {
 	const struct options *options;
+	struct stage *stage;
 	struct compare_settings settings;
 	struct pair_reader pairs;
-	struct output out;
 	struct compare_totals totals;
 	struct gallery gallery;
 	struct progress progress;
@@ -71,6 +69,7 @@ print_item(struct run *run, struct item *item, struct tcs_fault *fault)
 {
 	const struct compare_totals *totals = &run->totals;
 	bool first = !totals->pairs && !totals->lost && !totals->added;
+	FILE *to = run->stage->out.file;
 	const struct tcs_object *before =
 		item->pair[0] ? &item->pair[0]->object : NULL;
 	const struct tcs_object *after =
@@ -78,10 +77,10 @@ print_item(struct run *run, struct item *item, struct tcs_fault *fault)
 
 	if (!run->options->html) {
 		compare_print_object(&item->result, before, after,
-			run->options->json, first, run->out.file);
+			run->options->json, first, to);
 		return TCS_OK;
 	}
-	html_print_object(&item->result, before, after, run->out.file);
+	html_print_object(&item->result, before, after, to);
 	return before
 		? gallery_take(&run->gallery, &item->result, before, fault)
 		: TCS_OK;
@@ -93,6 +92,7 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	struct run *run = context;
 	struct item *item = slot;
 	struct compare_totals *totals = &run->totals;
+	const struct output *out = &run->stage->out;
 	enum tcs_status status = print_item(run, item, fault);
 
 	totals->pairs += item->pair[0] && item->pair[1];
@@ -102,9 +102,8 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	clear_item(item);
 	progress_show(&run->progress,
 		totals->pairs + totals->lost + totals->added, 0, 0);
-	if (!status && ferror(run->out.file))
-		return fault_system(fault, "cannot write",
-			run->out.name ? run->out.name : "standard output");
+	if (!status && ferror(out->file))
+		return fault_system(fault, "cannot write", out->name);
 	return status;
 }
 
@@ -137,29 +136,27 @@ take_systems(struct run *run, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-open_run(struct run *run, const struct command *command,
-	const struct options *options, struct tcs_fault *fault)
+open_run(struct run *run, struct tcs_fault *fault)
 {
+	const struct command *command = run->stage->command;
 	const char *const names[2] = {command->input, command->other};
 	enum tcs_status status;
 
-	run->options = options;
-	run->settings = options->settings;
+	run->settings = run->options->settings;
 	run->settings.jobs = command->jobs;
-	run->settings.pictures = options->html;
-	status = pairs_open(&run->pairs, names, options->max_record, fault);
+	run->settings.pictures = run->options->html;
+	status =
+		pairs_open(&run->pairs, names, run->options->max_record, fault);
 	if (!status)
 		status = take_systems(run, fault);
-	if (!status)
-		status = output_open(&run->out, command->output, fault);
-	return status;
+	return status ? status
+		      : output_open(&run->stage->out, command->output, fault);
 }
 
 static enum tcs_status
-compare(struct run *run, const struct command *command,
-	const struct options *options, struct tcs_fault *fault)
+compare(struct run *run, struct tcs_fault *fault)
 {
-	enum tcs_status status = open_run(run, command, options, fault);
+	const struct command *command = run->stage->command;
 	const struct crew_plan plan = {
 		.context = run,
 		.slot_size = sizeof(struct item),
@@ -170,71 +167,65 @@ compare(struct run *run, const struct command *command,
 		.worker_release = release_comparer,
 		.slot_release = release_item,
 	};
+	enum tcs_status status;
 
-	if (status)
-		return status;
 	progress_begin(&run->progress, command->program->name, "objects",
 		command->quiet);
-	if (options->html)
-		html_print_begin(run->out.file);
-	else
-		compare_print_begin(options->json, run->out.file);
 	status = crew_run(&plan, command->jobs, fault);
 	progress_end(&run->progress);
-	if (!status) {
-		if (options->html)
-			html_print_end(
-				&run->totals, &run->gallery, run->out.file);
-		else
-			compare_print_end(
-				&run->totals, options->json, run->out.file);
-		status = output_commit(&run->out, fault);
-	} else {
-		output_discard(&run->out);
-	}
 	return status;
-}
-
-static void
-close_run(struct run *run)
-{
-	gallery_release(&run->gallery);
-	pairs_close(&run->pairs);
 }
 
 static enum tcs_status
-report_totals(const struct command *command,
-	const struct compare_totals *totals, struct tcs_fault *fault)
+print_comparison(struct run *run, struct tcs_fault *fault)
 {
-	struct report report = {0};
-	enum tcs_status status =
-		report_add(&report, "objects", totals->pairs, fault);
+	const struct options *options = run->options;
+	FILE *to = run->stage->out.file;
+	enum tcs_status status;
 
-	if (!status)
-		status = report_add(
-			&report, "objects lost", totals->lost, fault);
-	if (!status)
-		status = report_add(
-			&report, "objects added", totals->added, fault);
-	if (!status && command->stats)
-		status = report_write(
-			&report, command->program->name, command->stats, fault);
-	report_release(&report);
-	return status;
+	if (options->html)
+		html_print_begin(to);
+	else
+		compare_print_begin(options->json, to);
+	status = compare(run, fault);
+	if (status)
+		return status;
+	if (options->html)
+		html_print_end(&run->totals, &run->gallery, to);
+	else
+		compare_print_end(&run->totals, options->json, to);
+	return TCS_OK;
 }
 
-static int
-run_command(const struct command *command, const struct options *options)
+static enum tcs_status
+report_totals(struct run *run, struct tcs_fault *fault)
 {
-	struct tcs_fault fault;
-	struct run run = {0};
-	int code = EXIT_DONE;
+	struct report *report = &run->stage->report;
+	const struct compare_totals *totals = &run->totals;
+	enum tcs_status status =
+		report_add(report, "objects", totals->pairs, fault);
 
-	if (compare(&run, command, options, &fault) ||
-		report_totals(command, &run.totals, &fault))
-		code = program_fail(command, &fault);
-	close_run(&run);
-	return code;
+	if (!status)
+		status =
+			report_add(report, "objects lost", totals->lost, fault);
+	return status
+		? status
+		: report_add(report, "objects added", totals->added, fault);
+}
+
+static enum tcs_status
+convert(void *context, struct stage *stage, struct tcs_fault *fault)
+{
+	struct run run = {.options = context, .stage = stage};
+	enum tcs_status status = open_run(&run, fault);
+
+	if (!status)
+		status = print_comparison(&run, fault);
+	if (!status)
+		status = report_totals(&run, fault);
+	gallery_release(&run.gallery);
+	pairs_close(&run.pairs);
+	return status;
 }
 
 int
@@ -285,7 +276,7 @@ main(int argc, char **argv)
 	program_begin(&program, argc, argv, &command);
 	if (options.json && options.html)
 		program_usage(&command, "--json and --html exclude each other");
-	code = run_command(&command, &options);
+	code = stage_run(&command, convert, &options);
 	program_end(&command);
 	return code;
 }
