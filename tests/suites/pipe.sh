@@ -107,6 +107,7 @@ a_full_disk_is_a_failure() {
 	is "$(wc -l <err)" 1
 	status_is 1 "$program" -q "$@" -o /dev/full 2>err
 	status_is 1 "$program" -q "$@" -o out --stats /dev/full 2>err
+	[[ ! -e out ]]
 }
 
 a_closed_pipe_ends_quietly() {
