@@ -5,10 +5,8 @@
 #include "instances.h"
 #include "number.h"
 #include "object_simplifier.h"
-#include "output.h"
-#include "program.h"
 #include "progress.h"
-#include "report.h"
+#include "stage.h"
 
 struct options {
 	struct simplify_settings settings;
@@ -25,28 +23,26 @@ struct item {
 };
 
 struct run {
-	const struct command *command;
+	struct stage *stage;
 	struct simplify_settings settings;
 	bool expand; /* prototypes are kept, and passed on otherwise */
 	struct prototypes prototypes;
-	FILE *in;
-	struct output out;
 	struct tcs_reader reader;
 	struct tcs_writer writer;
-	struct report report;
 	struct progress progress;
 };
 
 static enum tcs_status
 take_head(struct run *run, struct tcs_record *record, struct tcs_fault *fault)
 {
+	const struct command *command = run->stage->command;
 	struct tcs_head head = {0};
 	enum tcs_status status = head_decode(&head, record, fault);
 
 	if (!status) {
 		run->settings.crs = head.crs.at[0];
-		status = head_sign(&head, run->command->program->name,
-			TESSERA_VERSION, run->command->arguments, fault);
+		status = head_sign(&head, command->program->name,
+			TESSERA_VERSION, command->arguments, fault);
 	}
 	if (!status)
 		status = head_encode(&head, record, fault);
@@ -99,7 +95,7 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 	struct run *run = context;
 	struct item *item = slot;
 	enum tcs_status status =
-		report_merge(&run->report, &item->report, fault);
+		report_merge(&run->stage->report, &item->report, fault);
 
 	if (!status && !(run->expand && item->record.type == TCS_PROTOTYPE))
 		status = writer_put(&run->writer, &item->record, fault);
@@ -124,30 +120,10 @@ release_simplifier(void *worker)
 }
 
 static enum tcs_status
-open_run(struct run *run, const struct command *command,
-	const struct options *options, struct tcs_fault *fault)
+simplify_stream(struct run *run, struct tcs_fault *fault)
 {
-	enum tcs_status status;
-
-	run->command = command;
-	run->settings = options->settings;
-	run->expand = options->expand;
-	run->in = command->input ? fopen(command->input, "rb") : stdin;
-	if (!run->in)
-		return fault_system(fault, "cannot open", command->input);
-	reader_init(&run->reader, run->in);
-	run->reader.max_record = options->max_record;
-	status = output_open(&run->out, command->output, fault);
-	if (!status)
-		writer_init(&run->writer, run->out.file, 0);
-	return status;
-}
-
-static enum tcs_status
-convert(struct run *run, const struct command *command,
-	const struct options *options, struct tcs_fault *fault)
-{
-	enum tcs_status status = open_run(run, command, options, fault);
+	struct stage *stage = run->stage;
+	const struct command *command = stage->command;
 	const struct crew_plan plan = {
 		.context = run,
 		.slot_size = sizeof(struct item),
@@ -158,36 +134,39 @@ convert(struct run *run, const struct command *command,
 		.worker_release = release_simplifier,
 		.slot_release = release_item,
 	};
+	enum tcs_status status =
+		output_open(&stage->out, command->output, fault);
 
 	if (status)
 		return status;
+	writer_init(&run->writer, stage->out.file, 0);
 	progress_begin(&run->progress, command->program->name, "objects",
 		command->quiet);
 	status = crew_run(&plan, command->jobs, fault);
 	progress_end(&run->progress);
 	if (!status && command->strict)
-		status = report_strict(&run->report, fault);
-	if (!status)
-		status = writer_end(&run->writer, fault);
-	if (!status && command->stats)
-		status = report_write(&run->report, command->program->name,
-			command->stats, fault);
-	if (!status)
-		status = output_commit(&run->out, fault);
-	else
-		output_discard(&run->out);
-	return status;
+		status = report_strict(&stage->report, fault);
+	return status ? status : writer_end(&run->writer, fault);
 }
 
-static void
-close_run(struct run *run)
+static enum tcs_status
+convert(void *context, struct stage *stage, struct tcs_fault *fault)
 {
-	prototypes_release(&run->prototypes);
-	reader_release(&run->reader);
-	writer_release(&run->writer);
-	report_release(&run->report);
-	if (run->in && run->in != stdin)
-		fclose(run->in);
+	const struct options *options = context;
+	struct run run = {
+		.stage = stage,
+		.settings = options->settings,
+		.expand = options->expand,
+	};
+	enum tcs_status status = reader_open(
+		&run.reader, stage->command->input, options->max_record, fault);
+
+	if (!status)
+		status = simplify_stream(&run, fault);
+	prototypes_release(&run.prototypes);
+	reader_close(&run.reader);
+	writer_release(&run.writer);
+	return status;
 }
 
 /* ---- the command line ---------------------------------------------------- */
@@ -327,17 +306,11 @@ main(int argc, char **argv)
 		.flags = PROGRAM_READS | PROGRAM_BINARY_IN | PROGRAM_BINARY_OUT,
 	};
 	struct command command;
-	struct tcs_fault fault;
-	struct run run = {0};
-	int code = EXIT_DONE;
+	int code;
 
 	program_begin(&program, argc, argv, &command);
 	settle_levels(&command, &options);
-	if (convert(&run, &command, &options, &fault))
-		code = program_fail(&command, &fault);
-	else if (!command.quiet)
-		report_print(&run.report, program.name, stderr);
-	close_run(&run);
+	code = stage_run(&command, convert, &options);
 	program_end(&command);
 	return code;
 }
