@@ -21,8 +21,11 @@ report_clear(struct report *report)
 	for (size_t i = 0; i < report->reasons.count; i++)
 		for (int k = 0; k < REPORT_EXAMPLES; k++)
 			free(report->reasons.at[i].examples[k]);
+	for (size_t i = 0; i < report->entries.count; i++)
+		free(report->entries.at[i].id);
 	array_clear(&report->reasons);
 	array_clear(&report->counts);
+	array_clear(&report->entries);
 }
 
 void
@@ -31,6 +34,7 @@ report_release(struct report *report)
 	report_clear(report);
 	array_release(&report->reasons);
 	array_release(&report->counts);
+	array_release(&report->entries);
 }
 
 /* Nearly always the very same text, which is looked for first. */
@@ -117,6 +121,34 @@ report_item(struct report *report, enum report_severity severity,
 	return keep_example(row, place, fault);
 }
 
+static enum tcs_status
+keep_entry(struct report *report, const struct report_entry *entry,
+	struct tcs_fault *fault)
+{
+	struct report_entry own = *entry;
+
+	if (report->entries.count == REPORT_ENTRIES)
+		return TCS_OK;
+	if (array_grow(&report->entries, 1))
+		return fault_memory(fault);
+	own.id = strdup(entry->id);
+	if (!own.id)
+		return fault_memory(fault);
+	report->entries.at[report->entries.count++] = own;
+	return TCS_OK;
+}
+
+enum tcs_status
+report_listed(struct report *report, const char *item, const char *reason,
+	const char *id, const char *class, struct tcs_fault *fault)
+{
+	const struct report_entry entry = {item, reason, (char *)id, class};
+	enum tcs_status status = report_item(
+		report, REPORT_NOTE, item, reason, id, TCS_NOWHERE, fault);
+
+	return status ? status : keep_entry(report, &entry, fault);
+}
+
 enum tcs_status
 report_merge(
 	struct report *into, const struct report *from, struct tcs_fault *fault)
@@ -139,6 +171,8 @@ report_merge(
 				status = keep_example(
 					row, more->examples[k], fault);
 	}
+	for (size_t i = 0; !status && i < from->entries.count; i++)
+		status = keep_entry(into, &from->entries.at[i], fault);
 	return status;
 }
 
@@ -209,7 +243,31 @@ report_print(const struct report *report, const char *program, FILE *to)
 /* ---- JSON -------------------------------------------------------------- */
 
 static void
-json_reason(const struct report_reason *row, FILE *to)
+json_list(
+	const struct report *report, const struct report_reason *row, FILE *to)
+{
+	const char *before = ",\n   \"list\": [";
+
+	for (size_t i = 0; i < report->entries.count; i++) {
+		const struct report_entry *entry = &report->entries.at[i];
+
+		if (!same(entry->reason, row->reason) ||
+			!same(entry->item, row->item))
+			continue;
+		fprintf(to, "%s\n    {\"id\": ", before);
+		json_quote(entry->id, to);
+		fputs(", \"class\": ", to);
+		json_quote(entry->class, to);
+		putc('}', to);
+		before = ",";
+	}
+	if (*before == ',' && before[1] == '\0')
+		putc(']', to);
+}
+
+static void
+json_reason(
+	const struct report *report, const struct report_reason *row, FILE *to)
 {
 	fputs("\n  {\"item\": ", to);
 	json_quote(row->item, to);
@@ -221,7 +279,9 @@ json_reason(const struct report_reason *row, FILE *to)
 			fputs(", ", to);
 		json_quote(row->examples[i], to);
 	}
-	fputs("]}", to);
+	putc(']', to);
+	json_list(report, row, to);
+	putc('}', to);
 }
 
 static void
@@ -239,7 +299,7 @@ json_reasons(const struct report *report, enum report_severity severity,
 		if (!first)
 			putc(',', to);
 		first = false;
-		json_reason(row, to);
+		json_reason(report, row, to);
 	}
 	putc(']', to);
 }

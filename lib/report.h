@@ -37,9 +37,19 @@ struct report_reason {
 	char *examples[REPORT_EXAMPLES]; /* ids; owned; NULL when fewer */
 };
 
+#define REPORT_ENTRIES 10000 /* listed in one report, whatever the reason */
+
+/* An item of a reason whose items are listed, all of them. */
+struct report_entry {
+	const char *item, *reason; /* as its reason has them */
+	char *id; /* owned */
+	const char *class; /* static text */
+};
+
 struct report {
 	TCS_ARRAY(struct report_count) counts;
 	TCS_ARRAY(struct report_reason) reasons;
+	TCS_ARRAY(struct report_entry) entries;
 };
 
 void report_release(struct report *report);
@@ -55,6 +65,12 @@ enum tcs_status report_add(struct report *report, const char *name,
 enum tcs_status report_item(struct report *report,
 	enum report_severity severity, const char *item, const char *reason,
 	const char *id, uint64_t at, struct tcs_fault *fault) TCS_CHECKED;
+
+/* A note as by report_item that --stats lists with every other of its reason,
+   each with its class, up to REPORT_ENTRIES. */
+enum tcs_status report_listed(struct report *report, const char *item,
+	const char *reason, const char *id, const char *class,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 enum tcs_status report_merge(struct report *into, const struct report *from,
 	struct tcs_fault *fault) TCS_CHECKED;
@@ -73,6 +89,7 @@ void report_print(const struct report *report, const char *program, FILE *to);
  * {"program":…,"version":…,"counts":{…},
  *  "skipped":[{"item":…,"reason":…,"count":…,"examples":[…]}],
  *  "repaired":[…],"notes":[…]}
+ * A reason whose items are listed has "list":[{"id":…,"class":…}], too.
  */
 enum tcs_status report_write(const struct report *report, const char *program,
 	const char *file_name, struct tcs_fault *fault) TCS_CHECKED;

@@ -2,13 +2,11 @@
 
 #include <math.h>
 
+#include "level_report.h"
 #include "lod_home.h"
 
 /* In so many steps openings are dissolved. */
 #define OPENING_BATCHES 16
-
-/* Short of the goal by more than this share is worth a word. */
-#define GOAL_TOLERANCE 0.01
 
 static enum tcs_status
 prepare(struct object_simplifier *simplifier,
@@ -115,26 +113,6 @@ reach_level(struct object_simplifier *simplifier,
 	return status ? status : collapse_loosely(work, target, fault);
 }
 
-static enum tcs_status
-report_level(const struct object_simplifier *simplifier,
-	const struct tcs_object *in, const struct simplify_level *level,
-	size_t target, struct report *report, struct tcs_fault *fault)
-{
-	const struct collapses *work = &simplifier->collapses;
-	double all = (double)simplifier->source.set.triangles.count;
-	double over = (double)work->face_count - (double)target;
-	const char *reason =
-		"short of its rate: no collapse is left that keeps it whole";
-
-	if (level->budget.kind == BUDGET_ERROR || over <= GOAL_TOLERANCE * all)
-		return TCS_OK;
-	if (work->watch.limit < INFINITY)
-		reason = "short of its rate: all that is left would move "
-			 "farther than --max-error, or tear it apart";
-	return report_item(report, REPORT_NOTE, "object", reason,
-		object_text(in, in->features.at[0].id), TCS_NOWHERE, fault);
-}
-
 /* Per feature whether it hosts something that is simplified. */
 static enum tcs_status
 find_simplified_hosts(struct object_simplifier *simplifier,
@@ -196,13 +174,30 @@ find_homes(struct object_simplifier *simplifier, const struct tcs_object *in,
 	return TCS_OK;
 }
 
+/* What nothing could be taken from stays as it is, rings and all. */
+static enum tcs_status
+write_unchanged(struct object_simplifier *simplifier,
+	const struct tcs_object *in, struct tcs_fault *fault)
+{
+	const struct selection *selection = &simplifier->source.selection;
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = 0; !status && i < in->geometries.count; i++)
+		if (selection->geometries.at[i])
+			status = lod_write_copy(&simplifier->writer, i, fault);
+	return status;
+}
+
 static enum tcs_status
 write_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	const struct simplify_level *level, struct tcs_fault *fault)
 {
-	enum tcs_status status = lod_write_faces(&simplifier->writer,
-		&simplifier->source, &simplifier->collapses, fault);
+	enum tcs_status status;
 
+	if (level->lod == LOD_IN_PLACE && level_is_unchanged(simplifier))
+		return write_unchanged(simplifier, in, fault);
+	status = lod_write_faces(&simplifier->writer, &simplifier->source,
+		&simplifier->collapses, fault);
 	if (!status)
 		status = find_homes(simplifier, in, level->lod, fault);
 	if (!status)
@@ -243,11 +238,8 @@ make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	if (!status)
 		status = write_level(simplifier, in, level, fault);
 	if (!status)
-		status = report_level(
+		status = level_report(
 			simplifier, in, level, target, report, fault);
-	if (!status)
-		status = report_add(
-			report, "triangles after", work->face_count, fault);
 	return status;
 }
 

@@ -172,6 +172,47 @@ the_json_is_escaped(void)
 	report_release(&report);
 }
 
+static void
+listed_items_are_all_there_and_merged_in_order(void)
+{
+	struct report report = {0}, more = {0};
+	struct tcs_fault fault;
+	char id[8], *text;
+
+	for (int i = 0; i < 5; i++) {
+		snprintf(id, sizeof id, "w%d", i);
+		CHECK(!report_listed(i < 3 ? &report : &more, "surface", "gone",
+			id, "WallSurface", &fault));
+	}
+	note(&more, REPORT_NOTE, "object", "gone", "b");
+	CHECK(!report_merge(&report, &more, &fault));
+	text = written(&report);
+	CHECK(strstr(text,
+		"\"examples\": [\"w0\", \"w1\", \"w2\"],\n   \"list\": [\n"
+		"    {\"id\": \"w0\", \"class\": \"WallSurface\"},\n"));
+	CHECK(strstr(text,
+		"    {\"id\": \"w3\", \"class\": \"WallSurface\"},\n"
+		"    {\"id\": \"w4\", \"class\": \"WallSurface\"}]}"));
+	CHECK(strstr(text, "\"examples\": [\"b\"]}"));
+	free(text);
+	report_release(&report);
+	report_release(&more);
+}
+
+static void
+a_list_has_an_end(void)
+{
+	struct report report = {0};
+	struct tcs_fault fault;
+
+	for (int i = 0; i < REPORT_ENTRIES + 5; i++)
+		CHECK(!report_listed(
+			&report, "surface", "gone", "w", "Window", &fault));
+	CHECK(report.entries.count == REPORT_ENTRIES);
+	CHECK(report.reasons.at[0].count == REPORT_ENTRIES + 5);
+	report_release(&report);
+}
+
 static const struct check_test tests[] = {
 	CHECK_TEST(counts_add_up),
 	CHECK_TEST(items_are_counted_by_reason_with_three_examples),
@@ -180,6 +221,8 @@ static const struct check_test tests[] = {
 	CHECK_TEST(merged_parts_are_the_whole),
 	CHECK_TEST(strict_fails_on_what_was_skipped_only),
 	CHECK_TEST(the_json_is_escaped),
+	CHECK_TEST(listed_items_are_all_there_and_merged_in_order),
+	CHECK_TEST(a_list_has_an_end),
 	{0},
 };
 
