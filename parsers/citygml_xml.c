@@ -60,8 +60,9 @@ static enum tcs_status
 xml_too_deep(struct xml_parser *parser)
 {
 	return fault_set(&parser->fault, TCS_LIMIT, TCS_NOWHERE,
-		"line %u: elements nest deeper than %u (--max-depth)",
-		xml_line(parser), parser->limits->depth);
+		"line %u: elements nest deeper than %u%s", xml_line(parser),
+		parser->limits->depth,
+		parser->limits->fixed ? "" : " (--max-depth)");
 }
 
 static void

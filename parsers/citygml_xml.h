@@ -38,6 +38,7 @@ struct xml_handler {
 struct xml_limits {
 	unsigned depth; /* open elements */
 	uint64_t tag; /* bytes of a tag, a comment or an instruction */
+	bool fixed; /* no option of the program sets them */
 };
 
 struct xml_parser;

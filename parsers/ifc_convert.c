@@ -7,6 +7,7 @@
 #include "ifc_features.h"
 #include "ifc_head.h"
 #include "ifc_product.h"
+#include "ifcxml.h"
 #include "progress.h"
 #include "step_load.h"
 
@@ -268,6 +269,24 @@ head_write(struct convert *convert, struct tcs_fault *fault)
 	return status;
 }
 
+/* What is ifcXML is STEP from here on. */
+static enum tcs_status
+load(struct convert *convert, struct input *input, struct tcs_fault *fault)
+{
+	struct step_bytes xml = {.count = 0};
+	enum tcs_status status = step_load(
+		&convert->text, input, convert->options->max_bytes, fault);
+
+	if (status || !ifcxml_is(convert->text.at, convert->text.count))
+		return status;
+	xml = convert->text;
+	convert->text = (struct step_bytes){.count = 0};
+	status = ifcxml_decode(
+		xml.at, xml.count, &convert->text, convert->report, fault);
+	array_release(&xml);
+	return status;
+}
+
 static enum tcs_status
 run(struct convert *convert, struct input *input, struct tcs_fault *fault)
 {
@@ -284,8 +303,7 @@ run(struct convert *convert, struct input *input, struct tcs_fault *fault)
 	};
 	enum tcs_status status;
 
-	status = step_load(
-		&convert->text, input, convert->options->max_bytes, fault);
+	status = load(convert, input, fault);
 	if (!status)
 		status = ifc_model_read(&convert->model, convert->text.at,
 			convert->text.count, &convert->options->keep,

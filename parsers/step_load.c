@@ -40,8 +40,7 @@ step_load(struct step_bytes *out, struct input *input, uint64_t max_bytes,
 		return status;
 	packed = *out;
 	*out = (struct step_bytes){.count = 0};
-	status = zip_member(
-		packed.at, packed.count, ".ifc", max_bytes, out, fault);
+	status = zip_member(packed.at, packed.count, max_bytes, out, fault);
 	array_release(&packed);
 	return status;
 }

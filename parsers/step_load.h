@@ -1,6 +1,7 @@
 /*
- * The text of a STEP file in memory: from a file or standard input, plain,
- * gzip, or the first .ifc member of a zip archive (.ifczip).
+ * The text of a STEP file, or of ifcXML, in memory: from a file or standard
+ * input, plain, gzip, or the first .ifc or .ifcxml member of a zip archive
+ * (.ifczip).
  */
 #ifndef TESSERA_STEP_LOAD_H
 #define TESSERA_STEP_LOAD_H

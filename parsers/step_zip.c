@@ -99,7 +99,7 @@ entry_read(const struct archive *archive, size_t *at, struct member *out,
 }
 
 static bool
-name_ends(const struct member *member, const char *suffix)
+name_ends_in(const struct member *member, const char *suffix)
 {
 	size_t length = strlen(suffix);
 	const unsigned char *tail;
@@ -116,6 +116,12 @@ name_ends(const struct member *member, const char *suffix)
 			return false;
 	}
 	return true;
+}
+
+static bool
+is_building(const struct member *member)
+{
+	return name_ends_in(member, ".ifc") || name_ends_in(member, ".ifcxml");
 }
 
 /* The packed bytes of a member, from its local header. */
@@ -235,8 +241,8 @@ member_unpack(const struct archive *archive, const struct member *member,
 }
 
 enum tcs_status
-zip_member(const char *bytes, size_t length, const char *suffix,
-	uint64_t max_bytes, struct step_bytes *out, struct tcs_fault *fault)
+zip_member(const char *bytes, size_t length, uint64_t max_bytes,
+	struct step_bytes *out, struct tcs_fault *fault)
 {
 	struct archive archive = {(const unsigned char *)bytes, length, 0, 0};
 	enum tcs_status status = directory_find(&archive, fault);
@@ -245,12 +251,12 @@ zip_member(const char *bytes, size_t length, const char *suffix,
 
 	while (!status && at < archive.directory_end) {
 		status = entry_read(&archive, &at, &member, fault);
-		if (!status && name_ends(&member, suffix))
+		if (!status && is_building(&member))
 			return member_unpack(
 				&archive, &member, max_bytes, out, fault);
 	}
 	if (status)
 		return status;
 	return fault_set(fault, TCS_BAD_INPUT, 0,
-		"a zip archive without a member that ends in %s", suffix);
+		"a zip archive without a member that ends in .ifc or .ifcxml");
 }

@@ -20,14 +20,13 @@
 bool zip_is(const char *bytes, size_t length);
 
 /*
- * Append the first member, in the order of the directory, whose name ends as
- * `suffix` does, in capitals or not, to `out`, and check its CRC. Memory grows
+ * Append the first member, in the order of the directory, whose name ends in
+ * .ifc or .ifcxml, in capitals or not, to `out`, and check its CRC. Memory grows
  * with what is unpacked; beyond `max_bytes`, unless 0, it fails with TCS_LIMIT.
  * Fails with TCS_BAD_INPUT for a damaged archive or one without such a member,
  * with TCS_NO_MEMORY.
  */
-enum tcs_status zip_member(const char *bytes, size_t length, const char *suffix,
-	uint64_t max_bytes, struct step_bytes *out,
-	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status zip_member(const char *bytes, size_t length, uint64_t max_bytes,
+	struct step_bytes *out, struct tcs_fault *fault) TCS_CHECKED;
 
 #endif

@@ -119,7 +119,7 @@ LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 
 	if (!zip_is((const char *)bytes, size))
 		text_check((const char *)bytes, size);
-	else if (!zip_member((const char *)bytes, size, ".ifc", MOST_UNPACKED,
+	else if (!zip_member((const char *)bytes, size, MOST_UNPACKED,
 			 &unpacked, &fault))
 		text_check(unpacked.at, unpacked.count);
 	array_release(&unpacked);
