@@ -29,6 +29,27 @@ parse_types(void *target, const char *argument)
 	}
 }
 
+/* "Ground floor,Attic". */
+static const char *
+parse_storeys(void *target, const char *argument)
+{
+	struct ifc_keep *keep = target;
+
+	for (;;) {
+		size_t length = strcspn(argument, ",");
+
+		if (!length)
+			return "not a list of names";
+		if (keep->storey_count == IFC_MOST_STOREYS)
+			return "too many storeys";
+		keep->storeys[keep->storey_count++] =
+			(struct ifc_storey_name){argument, length};
+		if (!argument[length])
+			return NULL;
+		argument += length + 1;
+	}
+}
+
 static enum tcs_status
 convert(void *context, struct stage *stage, struct tcs_fault *fault)
 {
@@ -60,6 +81,13 @@ main(int argc, char **argv)
 			.name = "no-spaces",
 			.help = "Leave out rooms and other spaces.",
 			.target = &options.keep.no_spaces},
+		{.type = OPTION_PARSE,
+			.name = "storeys",
+			.argument = "LIST",
+			.help = "Keep these storeys of buildings, by name or "
+				"GlobalId, and what is in them, only.",
+			.target = &options.keep,
+			.parse = parse_storeys},
 		{.type = OPTION_PARSE,
 			.name = "types",
 			.argument = "LIST",

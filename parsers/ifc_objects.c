@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "ifc_representation.h"
+#include "ifc_storeys.h"
 
 /* The tree turned round: by node, in the order of the file. */
 struct forest {
@@ -100,16 +101,32 @@ forest_end(struct forest *forest)
 	free(forest->stack);
 }
 
+static enum tcs_status
+members_choose(struct forest *forest, const struct ifc_keep *keep,
+	struct tcs_fault *fault)
+{
+	for (uint32_t i = 0; i < forest->tree->count; i++)
+		forest->is_member[i] = true;
+	if (keep->storey_count) {
+		enum tcs_status status = ifc_storeys_choose(forest->file,
+			forest->tree, keep, forest->is_member, fault);
+
+		if (status)
+			return status;
+	}
+	for (uint32_t i = 0; i < forest->tree->count; i++)
+		forest->is_member[i] &= is_member(
+			forest->file, forest->tree->at[i].instance, keep);
+	return TCS_OK;
+}
+
 static void
-forest_link(struct forest *forest, const struct ifc_keep *keep)
+forest_link(struct forest *forest)
 {
 	uint32_t count = (uint32_t)forest->tree->count;
 
-	for (uint32_t i = 0; i < count; i++) {
-		forest->is_member[i] = is_member(
-			forest->file, forest->tree->at[i].instance, keep);
+	for (uint32_t i = 0; i < count; i++)
 		forest->first_child[i] = STEP_NONE;
-	}
 	/* From behind, so that children stand in the order of the file. */
 	for (uint32_t i = count; i-- > 0;) {
 		uint32_t above;
@@ -169,7 +186,9 @@ ifc_objects_list(const struct ifc_file *file, const struct ifc_tree *tree,
 	enum tcs_status status = forest_begin(&forest, fault);
 
 	if (!status)
-		forest_link(&forest, keep);
+		status = members_choose(&forest, keep, fault);
+	if (!status)
+		forest_link(&forest);
 	for (uint32_t i = 0; i < tree->count && !status; i++)
 		if (forest.is_member[i] && forest.above[i] == STEP_NONE)
 			status = object_add(&forest, i, out, fault);

@@ -28,7 +28,13 @@ struct ifc_objects {
 	TCS_ARRAY(struct ifc_member) members;
 };
 
-enum { IFC_MOST_TYPES = 64 };
+enum { IFC_MOST_TYPES = 64, IFC_MOST_STOREYS = 64 };
+
+/* A storey's name or GlobalId, UTF-8, borrowed. */
+struct ifc_storey_name {
+	const char *text;
+	size_t length;
+};
 
 /* Which products are members; all zero: all that can be. */
 struct ifc_keep {
@@ -37,9 +43,16 @@ struct ifc_keep {
 	   subtypes only; none listed: all. */
 	enum ifc_entity types[IFC_MOST_TYPES];
 	size_t type_count;
+	/* Keep of the buildings these storeys and what is in them only; none
+	   listed: all. */
+	struct ifc_storey_name storeys[IFC_MOST_STOREYS];
+	size_t storey_count;
 };
 
-/* Fails with TCS_NO_MEMORY. */
+/*
+ * Fails with TCS_BAD_INPUT when a storey that is listed is not there, naming
+ * those that are, and with TCS_NO_MEMORY.
+ */
 enum tcs_status ifc_objects_list(const struct ifc_file *file,
 	const struct ifc_tree *tree, const struct ifc_keep *keep,
 	struct ifc_objects *out, struct tcs_fault *fault) TCS_CHECKED;
