@@ -5,79 +5,103 @@
 /* Metres: no face may become thinner than this, or than it was. */
 #define LEAST_HEIGHT 1e-4
 
-/* One face of the ring that a collapse changes. */
-struct change {
-	const struct collapses *work;
-	uint32_t face;
-	struct tcs_point from, to; /* of the node */
-	struct tcs_point b, c; /* the corners that stay */
-};
+/* Square metres: a face this near to a point is not beaten by another. */
+#define NEAR_ENOUGH 1e-14
 
-static struct tcs_point
-normal_at(const struct change *change, struct tcs_point a)
-{
-	return vector_cross(vector_difference(change->b, a),
-		vector_difference(change->c, a));
-}
+/* Of the points of a seam one in so many may come open; that leaves what lies
+   between them a margin to the quarter that counts as half open. */
+#define KEPT_TO_OPEN 6
 
-/* Height over the longest edge, squared; `normal` is twice the area. */
-static double
-square_height(const struct change *change, struct tcs_point a,
-	struct tcs_point normal)
-{
-	struct tcs_point ab = vector_difference(change->b, a);
-	struct tcs_point ac = vector_difference(change->c, a);
-	struct tcs_point bc = vector_difference(change->c, change->b);
-	double longest = fmax(vector_dot(ab, ab),
-		fmax(vector_dot(ac, ac), vector_dot(bc, bc)));
+/* ---- the ring ------------------------------------------------------------ */
 
-	return longest > 0 ? vector_dot(normal, normal) / longest : 0;
-}
-
-static bool
-is_sound(const struct change *change)
-{
-	const struct collapses *work = change->work;
-	struct tcs_point before = normal_at(change, change->from);
-	struct tcs_point after = normal_at(change, change->to);
-	struct tcs_point first = work->sheets->normals.at[change->face];
-	double height = square_height(change, change->to, after);
-	double least = LEAST_HEIGHT * LEAST_HEIGHT;
-
-	if (height < least &&
-		height < square_height(change, change->from, before))
-		return false;
-	/* It never turns over, however many steps that takes. */
-	return vector_dot(after, first) >= 0;
-}
-
-/* ---- seams --------------------------------------------------------------- */
-
-/* The corners of ring face i that stay where they are. */
+/* The nodes of ring face i that stay where they are; false for the faces at
+   the edge, which go. */
 static bool
 staying_corners(const struct collapses *work, size_t count, size_t i,
 	uint32_t target, uint32_t nodes[2])
 {
-	const struct spoke *spoke = &work->spokes.at[i];
+	const struct spoke *spokes = work->spokes.at;
 
-	nodes[0] = node_of(work, spoke->to);
-	nodes[1] = node_of(work, work->spokes.at[(i + 1) % count].to);
-	return spoke->face != HALF_EDGE_NONE && nodes[0] != target &&
-		nodes[1] != target;
+	if (spokes[i].face == HALF_EDGE_NONE)
+		return false;
+	nodes[0] = node_of(work, spokes[i].to);
+	nodes[1] = node_of(work, spokes[i + 1 < count ? i + 1 : 0].to);
+	return nodes[0] != target && nodes[1] != target;
 }
 
 bool
 ring_shape(const struct collapses *work, size_t count, size_t i,
 	uint32_t target, struct triangle_shape *shape)
 {
+	const struct tcs_point *positions = work->positions.at;
 	uint32_t nodes[2];
 
 	if (!staying_corners(work, count, i, target, nodes))
 		return false;
-	*shape = (struct triangle_shape){{work->positions.at[target],
-		work->positions.at[nodes[0]], work->positions.at[nodes[1]]}};
+	*shape = (struct triangle_shape){
+		{positions[target], positions[nodes[0]], positions[nodes[1]]}};
 	return true;
 }
+
+/* Height over the longest edge, squared; `normal` is twice the area. */
+static double
+square_height(const struct triangle_shape *shape, struct tcs_point normal)
+{
+	const struct tcs_point *p = shape->corner;
+	struct tcs_point ab = vector_difference(p[1], p[0]);
+	struct tcs_point ac = vector_difference(p[2], p[0]);
+	struct tcs_point bc = vector_difference(p[2], p[1]);
+	double longest = vector_dot(ab, ab);
+
+	if (vector_dot(ac, ac) > longest)
+		longest = vector_dot(ac, ac);
+	if (vector_dot(bc, bc) > longest)
+		longest = vector_dot(bc, bc);
+	return longest > 0 ? vector_dot(normal, normal) / longest : 0;
+}
+
+static bool
+is_sound(const struct collapses *work, const struct ring_face *after,
+	struct tcs_point from)
+{
+	double height = square_height(&after->shape, after->normal);
+	struct triangle_shape before = after->shape;
+
+	/* It never turns over, however many steps that takes. */
+	if (vector_dot(after->normal, work->sheets->normals.at[after->face]) <
+		0)
+		return false;
+	if (height >= LEAST_HEIGHT * LEAST_HEIGHT)
+		return true;
+	before.corner[0] = from;
+	return height >= square_height(&before, triangle_normal(&before));
+}
+
+/* The faces of the ring that stay, once changed; *sound when all may be. */
+static enum tcs_status
+change_ring(struct collapses *work, size_t count, uint32_t node,
+	uint32_t target, bool *sound, struct tcs_fault *fault)
+{
+	struct tcs_point from = work->positions.at[node];
+
+	*sound = true;
+	work->ring.count = 0;
+	if (array_grow(&work->ring, count))
+		return fault_memory(fault);
+	for (size_t i = 0; *sound && i < count; i++) {
+		struct ring_face *after = &work->ring.at[work->ring.count];
+
+		if (!ring_shape(work, count, i, target, &after->shape))
+			continue;
+		after->face = work->spokes.at[i].face;
+		after->normal = triangle_normal(&after->shape);
+		*sound = is_sound(work, after, from);
+		work->ring.count++;
+	}
+	return TCS_OK;
+}
+
+/* ---- seams --------------------------------------------------------------- */
 
 static double
 square_distance(struct tcs_point a, struct tcs_point b)
@@ -99,68 +123,77 @@ face_shape(const struct collapses *work, uint32_t face)
 	return shape;
 }
 
-/* A face that would hold a point of a seam, and where it is nearest to it. */
+/* A face of the ring that would hold a point of a seam, and where it is
+   nearest to it. */
 struct holder {
-	uint32_t face;
-	struct triangle_shape shape;
+	const struct ring_face *face; /* NULL: none */
 	struct tcs_point at;
+	double square; /* of the distance */
 };
 
-/* The face of the ring, once changed, that is nearest to a point. */
 static struct holder
-next_holder(const struct collapses *work, size_t count, uint32_t target,
-	struct tcs_point point)
+next_holder(const struct collapses *work, struct tcs_point point)
 {
-	struct holder best = {.face = TCS_NONE};
-	double least = INFINITY;
+	struct holder best = {.square = INFINITY};
 
-	for (size_t i = 0; i < count; i++) {
-		struct holder holder = {.face = work->spokes.at[i].face};
+	for (size_t i = 0; i < work->ring.count && best.square > NEAR_ENOUGH;
+		i++) {
+		const struct ring_face *face = &work->ring.at[i];
+		double height = vector_dot(face->normal,
+			vector_difference(point, face->shape.corner[0]));
+		struct tcs_point at;
 		double square;
 
-		if (!ring_shape(work, count, i, target, &holder.shape))
+		/* Its plane is farther already. */
+		if (height * height >
+			best.square * vector_dot(face->normal, face->normal))
 			continue;
-		holder.at = triangle_nearest(&holder.shape, point);
-		square = square_distance(holder.at, point);
-		if (square < least) {
-			least = square;
-			best = holder;
-		}
+		at = triangle_nearest_along(&face->shape, face->normal, point);
+		square = square_distance(at, point);
+		if (square < best.square)
+			best = (struct holder){face, at, square};
 	}
 	return best;
 }
 
-/*
- * Which face would hold a point of a seam; TCS_NONE when it would come open:
- * when from where either side is nearest to it the other side's holder is
- * farther than the limit.
- */
-static uint32_t
-holder_after(const struct collapses *work, size_t count, uint32_t target,
-	uint32_t hold)
+/* Whether from where either side is nearest to the point the other side is
+   not farther than the limit. */
+static bool
+is_held(const struct collapses *work, const struct seam_point *point,
+	const struct holder *own, const struct seam_hold *hold)
 {
-	const struct seam_point *point = &work->seams->points.at[hold / 2];
-	struct holder own = next_holder(work, count, target, point->at);
-	struct triangle_shape other;
 	double limit = point->limit * point->limit;
+	struct triangle_shape other;
 	struct tcs_point there;
 
-	if (own.face == TCS_NONE)
-		return TCS_NONE;
-	other = face_shape(work, work->seams->holds.at[hold ^ 1].face);
-	if (square_distance(own.at, triangle_nearest(&other, own.at)) <= limit)
-		return own.face;
-	there = triangle_nearest(&other, point->at);
-	if (square_distance(there, triangle_nearest(&own.shape, there)) <=
+	if (sqrt(own->square) + (double)hold->off <= point->limit)
+		return true;
+	other = face_shape(work, hold->face);
+	if (square_distance(own->at, triangle_nearest(&other, own->at)) <=
 		limit)
-		return own.face;
-	return TCS_NONE;
+		return true;
+	there = triangle_nearest(&other, point->at);
+	return square_distance(there,
+		       triangle_nearest(&own->face->shape, there)) <= limit;
 }
 
-/* Append the contacts of the points that the ring would no longer hold. */
+static struct seam_move
+move_after(const struct collapses *work, uint32_t hold)
+{
+	const struct seams *seams = work->seams;
+	const struct seam_point *point = &seams->points.at[hold / 2];
+	struct holder own = next_holder(work, point->at);
+
+	if (!own.face ||
+		!is_held(work, point, &own, &seams->holds.at[hold ^ 1]))
+		return (struct seam_move){hold, TCS_NONE, INFINITY};
+	return (struct seam_move){hold, own.face->face, sqrt(own.square)};
+}
+
+/* List who holds the points that faces of the ring hold, and the contacts of
+   those that nobody does. */
 static enum tcs_status
-list_opened(struct collapses *work, size_t count, uint32_t target,
-	struct tcs_fault *fault)
+list_moves(struct collapses *work, size_t count, struct tcs_fault *fault)
 {
 	const struct seams *seams = work->seams;
 
@@ -171,12 +204,15 @@ list_opened(struct collapses *work, size_t count, uint32_t target,
 			continue;
 		for (hold = seams->faces.at[face]; hold != TCS_NONE;
 			hold = seams->holds.at[hold].next) {
-			if (holder_after(work, count, target, hold) != TCS_NONE)
-				continue;
-			if (array_grow(&work->opened, 1))
+			struct seam_move move = move_after(work, hold);
+
+			if (array_grow(&work->moves, 1) ||
+				array_grow(&work->opened, 1))
 				return fault_memory(fault);
-			work->opened.at[work->opened.count++] =
-				seams->points.at[hold / 2].contact;
+			work->moves.at[work->moves.count++] = move;
+			if (move.face == TCS_NONE)
+				work->opened.at[work->opened.count++] =
+					seams->points.at[hold / 2].contact;
 		}
 	}
 	return TCS_OK;
@@ -194,7 +230,7 @@ seams_hold(const struct collapses *work)
 		for (size_t k = 0; k < work->opened.count; k++)
 			open += work->opened.at[k] == work->opened.at[i];
 		if (work->settings.loose ? open >= count->points
-					 : 4 * open >= count->points)
+					 : KEPT_TO_OPEN * open >= count->points)
 			return false;
 	}
 	return true;
@@ -238,57 +274,44 @@ surfaces_stay(const struct collapses *work)
 
 /* ---- one vertex ---------------------------------------------------------- */
 
-/* Whether the vertex has exactly one edge to the target, which may go. */
-static bool
-find_edge(const struct collapses *work, size_t count, uint32_t target,
-	uint32_t *half_edge)
+/* List the nodes around the vertex; *half_edge is its only edge to the target,
+   HALF_EDGE_NONE if there are none or several. */
+static enum tcs_status
+look_around(struct collapses *work, uint32_t vertex, uint32_t target,
+	size_t *count, uint32_t *half_edge, struct tcs_fault *fault)
 {
+	enum tcs_status status = spokes_of(work, vertex, count, fault);
 	size_t edges = 0;
 
-	for (size_t i = 0; i < count; i++) {
-		if (node_of(work, work->spokes.at[i].to) != target)
+	*half_edge = HALF_EDGE_NONE;
+	if (status)
+		return status;
+	if (array_grow(&work->touched, *count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < *count; i++) {
+		uint32_t node = node_of(work, work->spokes.at[i].to);
+
+		work->touched.at[work->touched.count++] = node;
+		if (node != target)
 			continue;
 		*half_edge = work->spokes.at[i].half_edge;
 		edges++;
 	}
-	return edges == 1;
-}
-
-static bool
-ring_is_sound(const struct collapses *work, size_t count, uint32_t node,
-	uint32_t target)
-{
-	uint32_t nodes[2];
-
-	for (size_t i = 0; i < count; i++) {
-		struct change change;
-
-		if (!staying_corners(work, count, i, target, nodes))
-			continue;
-		change = (struct change){
-			work,
-			work->spokes.at[i].face,
-			work->positions.at[node],
-			work->positions.at[target],
-			work->positions.at[nodes[0]],
-			work->positions.at[nodes[1]],
-		};
-		if (!is_sound(&change))
-			return false;
-	}
-	return true;
+	if (edges != 1)
+		*half_edge = HALF_EDGE_NONE;
+	return TCS_OK;
 }
 
 /* Twins that share a neighbour beside the target would be pinched there. */
 static enum tcs_status
-collect_ring(struct collapses *work, size_t count, uint32_t target,
+collect_neighbours(struct collapses *work, size_t count, uint32_t target,
 	struct tcs_fault *fault)
 {
-	if (array_grow(&work->ring, count))
+	if (array_grow(&work->apart, count))
 		return fault_memory(fault);
 	for (size_t i = 0; i < count; i++)
 		if (node_of(work, work->spokes.at[i].to) != target)
-			work->ring.at[work->ring.count++] =
+			work->apart.at[work->apart.count++] =
 				work->spokes.at[i].to;
 	return TCS_OK;
 }
@@ -302,14 +325,40 @@ by_number(const void *left, const void *right)
 }
 
 static bool
-ring_is_pinched(struct collapses *work)
+is_pinched(struct collapses *work)
 {
-	qsort(work->ring.at, work->ring.count, sizeof *work->ring.at,
-		by_number);
-	for (size_t i = 1; i < work->ring.count; i++)
-		if (work->ring.at[i] == work->ring.at[i - 1])
+	if (work->apart.count > 1)
+		qsort(work->apart.at, work->apart.count, sizeof *work->apart.at,
+			by_number);
+	for (size_t i = 1; i < work->apart.count; i++)
+		if (work->apart.at[i] == work->apart.at[i - 1])
 			return true;
 	return false;
+}
+
+static enum tcs_status
+check_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
+	bool twins, bool *fine, struct tcs_fault *fault)
+{
+	uint32_t half_edge;
+	size_t count;
+	enum tcs_status status =
+		look_around(work, vertex, target, &count, &half_edge, fault);
+
+	*fine = !status && half_edge != HALF_EDGE_NONE &&
+		half_edges_may_collapse(work->mesh, half_edge);
+	if (*fine)
+		status = change_ring(work, count, node_of(work, vertex), target,
+			fine, fault);
+	if (!status && *fine)
+		*fine = error_watch_allows(work, vertex, count, target);
+	if (!status && *fine)
+		status = list_moves(work, count, fault);
+	if (!status && *fine && !work->settings.loose)
+		status = list_leaving(work, count, target, fault);
+	if (!status && *fine && twins)
+		status = collect_neighbours(work, count, target, fault);
+	return status;
 }
 
 enum tcs_status
@@ -318,61 +367,54 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 {
 	const struct sheet_node *fans = &work->sheets->nodes.at[node];
 	bool twins = fans[1].first_vertex - fans[0].first_vertex > 1;
-	enum tcs_status status;
+	enum tcs_status status = TCS_OK;
 
-	*fine = false;
-	work->opened.count = work->ring.count = work->leaving.count = 0;
-	for (uint32_t v = fans[0].first_vertex; v < fans[1].first_vertex; v++) {
-		uint32_t half_edge;
-		size_t count;
-
-		status = spokes_of(work, v, &count, fault);
-		if (status)
-			return status;
-		if (!find_edge(work, count, target, &half_edge) ||
-			!half_edges_may_collapse(work->mesh, half_edge) ||
-			!ring_is_sound(work, count, node, target) ||
-			!error_watch_allows(work, v, count, target))
-			return TCS_OK;
-		status = list_opened(work, count, target, fault);
-		if (!status && !work->settings.loose)
-			status = list_leaving(work, count, target, fault);
-		if (!status && twins)
-			status = collect_ring(work, count, target, fault);
-		if (status)
-			return status;
-	}
-	*fine = seams_hold(work) && surfaces_stay(work) &&
-		!(twins && ring_is_pinched(work));
-	return TCS_OK;
+	*fine = true;
+	work->touched.count = work->moves.count = work->opened.count = 0;
+	work->leaving.count = work->apart.count = 0;
+	for (uint32_t v = fans[0].first_vertex;
+		!status && *fine && v < fans[1].first_vertex; v++)
+		status = check_vertex(work, v, target, twins, fine, fault);
+	*fine = !status && *fine && seams_hold(work) && surfaces_stay(work) &&
+		!is_pinched(work);
+	return status;
 }
 
 /* ---- doing it ------------------------------------------------------------ */
 
-/* Let the changed ring hold what it can of its seam points. */
 static void
-move_holds(struct collapses *work, size_t count, uint32_t target)
+move_holds(struct collapses *work)
 {
-	struct seams *seams = work->seams;
+	for (size_t i = 0; i < work->moves.count; i++) {
+		const struct seam_move *move = &work->moves.at[i];
 
-	for (size_t i = 0; i < count; i++) {
-		uint32_t face = work->spokes.at[i].face, hold, next;
-
-		hold = face == HALF_EDGE_NONE ? TCS_NONE
-					      : seams->faces.at[face];
-		for (; hold != TCS_NONE; hold = next) {
-			uint32_t holder =
-				holder_after(work, count, target, hold);
-
-			/* A later face of the ring may get it, and pass it
-			   again. */
-			next = seams->holds.at[hold].next;
-			if (holder == TCS_NONE)
-				seams_open(seams, hold / 2);
-			else if (holder != face)
-				seams_move_hold(seams, hold, holder);
-		}
+		if (move->face == TCS_NONE)
+			seams_open(work->seams, move->hold / 2);
+		else
+			seams_move_hold(
+				work->seams, move->hold, move->face, move->off);
 	}
+}
+
+static enum tcs_status
+collapse_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
+	struct tcs_fault *fault)
+{
+	uint32_t half_edge = HALF_EDGE_NONE, gone[2];
+	size_t count, faces;
+	enum tcs_status status = spokes_of(work, vertex, &count, fault);
+
+	for (size_t i = 0; !status && i < count; i++)
+		if (node_of(work, work->spokes.at[i].to) == target)
+			half_edge = work->spokes.at[i].half_edge;
+	if (status || half_edge == HALF_EDGE_NONE)
+		return status;
+	error_watch_follow(work, vertex, count, target);
+	faces = half_edges_collapse(work->mesh, half_edge, gone);
+	work->face_count -= faces;
+	for (size_t i = 0; i < faces; i++)
+		work->surfaces.at[work->features.at[gone[i]]]--;
+	return TCS_OK;
 }
 
 enum tcs_status
@@ -382,20 +424,12 @@ collapse_do(struct collapses *work, uint32_t node, uint32_t target,
 	const struct sheet_node *fans = &work->sheets->nodes.at[node];
 	enum tcs_status status = TCS_OK;
 
-	for (uint32_t v = fans[0].first_vertex; v < fans[1].first_vertex; v++) {
-		uint32_t half_edge, gone[2];
-		size_t count, faces;
-
-		status = spokes_of(work, v, &count, fault);
-		if (status || !find_edge(work, count, target, &half_edge))
-			return status;
-		move_holds(work, count, target);
-		error_watch_follow(work, v, count, target);
-		faces = half_edges_collapse(work->mesh, half_edge, gone);
-		work->face_count -= faces;
-		for (size_t i = 0; i < faces; i++)
-			work->surfaces.at[work->features.at[gone[i]]]--;
-	}
+	move_holds(work);
+	for (uint32_t v = fans[0].first_vertex;
+		!status && v < fans[1].first_vertex; v++)
+		status = collapse_vertex(work, v, target, fault);
+	if (status)
+		return status;
 	quadric_add(&work->quadrics.at[target], &work->quadrics.at[node]);
 	quadric_add(&work->borders.at[target], &work->borders.at[node]);
 	work->areas.at[target] += work->areas.at[node];

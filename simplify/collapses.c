@@ -115,14 +115,16 @@ find_candidates(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 	return status;
 }
 
+static bool
+is_cheaper(const struct queue_entry *a, const struct queue_entry *b)
+{
+	return a->cost < b->cost || (!(b->cost < a->cost) && a->node < b->node);
+}
+
 static int
 by_cost(const void *left, const void *right)
 {
-	const struct queue_entry *a = left, *b = right;
-
-	if (a->cost < b->cost || b->cost < a->cost)
-		return a->cost < b->cost ? -1 : 1;
-	return (a->node > b->node) - (a->node < b->node);
+	return is_cheaper(left, right) ? -1 : is_cheaper(right, left);
 }
 
 static void
@@ -136,12 +138,21 @@ aim(struct collapses *work, uint32_t node, struct queue_entry at)
 static enum tcs_status
 judge_node(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 {
+	uint32_t vertex = work->sheets->nodes.at[node].first_vertex;
 	struct queue_entry best = {INFINITY, TCS_NONE};
-	enum tcs_status status = find_candidates(work, node, fault);
+	size_t count;
+	enum tcs_status status = spokes_of(work, vertex, &count, fault);
 
-	for (size_t i = 0; !status && i < work->candidates.count; i++)
-		if (by_cost(&work->candidates.at[i], &best) < 0)
-			best = work->candidates.at[i];
+	for (size_t i = 0; !status && i < count; i++) {
+		struct queue_entry there = {
+			0, node_of(work, work->spokes.at[i].to)};
+
+		if (there.node == node)
+			continue;
+		there.cost = collapse_cost(work, node, there.node);
+		if (there.cost < INFINITY && is_cheaper(&there, &best))
+			best = there;
+	}
 	aim(work, node, best);
 	return status;
 }
@@ -168,27 +179,6 @@ judge_again(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 
 /* ---- the loop ------------------------------------------------------------ */
 
-static enum tcs_status
-list_neighbours(struct collapses *work, uint32_t node, struct tcs_fault *fault)
-{
-	const struct sheet_node *fans = &work->sheets->nodes.at[node];
-
-	work->touched.count = 0;
-	for (uint32_t v = fans[0].first_vertex; v < fans[1].first_vertex; v++) {
-		size_t count;
-		enum tcs_status status = spokes_of(work, v, &count, fault);
-
-		if (status)
-			return status;
-		if (array_grow(&work->touched, count))
-			return fault_memory(fault);
-		for (size_t i = 0; i < count; i++)
-			work->touched.at[work->touched.count++] =
-				node_of(work, work->spokes.at[i].to);
-	}
-	return TCS_OK;
-}
-
 /* A neighbour of a node that went into `target`: it can go there, too, now. */
 static enum tcs_status
 update(struct collapses *work, uint32_t node, uint32_t gone, uint32_t target,
@@ -202,7 +192,7 @@ update(struct collapses *work, uint32_t node, uint32_t gone, uint32_t target,
 	there = (struct queue_entry){collapse_cost(work, node, target), target};
 	now = work->queue.heap.at[work->queue.places.at[node]];
 	now.node = aimed;
-	if (by_cost(&there, &now) < 0)
+	if (is_cheaper(&there, &now))
 		aim(work, node, there);
 	return TCS_OK;
 }
@@ -211,10 +201,8 @@ static enum tcs_status
 collapse(struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_fault *fault)
 {
-	enum tcs_status status = list_neighbours(work, node, fault);
+	enum tcs_status status = collapse_do(work, node, target, fault);
 
-	if (!status)
-		status = collapse_do(work, node, target, fault);
 	aim(work, node, (struct queue_entry){INFINITY, TCS_NONE});
 	for (size_t i = 0; !status && i < work->touched.count; i++) {
 		uint32_t other = work->touched.at[i];
@@ -338,7 +326,9 @@ collapses_release(struct collapses *work)
 	array_release(&work->spokes);
 	array_release(&work->candidates);
 	array_release(&work->touched);
+	array_release(&work->moves);
 	array_release(&work->ring);
+	array_release(&work->apart);
 	array_release(&work->leaving);
 	array_release(&work->opened);
 }

@@ -22,6 +22,19 @@ struct collapse_settings {
 	double max_error; /* metres, see error_watch.h; as it began; 0: any */
 };
 
+/* A face of the ring around a vertex that moves, as it will be. */
+struct ring_face {
+	uint32_t face;
+	struct triangle_shape shape; /* its first corner is where it moves */
+	struct tcs_point normal; /* twice the area long */
+};
+
+/* Which face will hold a point of a seam; TCS_NONE: it comes open. */
+struct seam_move {
+	uint32_t hold, face;
+	double off; /* metres from the point */
+};
+
 /* All zero is empty; reused from object to object. */
 struct collapses {
 	const struct component_set *set; /* borrowed */
@@ -42,8 +55,11 @@ struct collapses {
 	struct node_queue queue;
 	TCS_ARRAY(struct spoke) spokes; /* scratch */
 	TCS_ARRAY(struct queue_entry) candidates; /* scratch */
-	TCS_ARRAY(uint32_t) touched; /* scratch: nodes */
-	TCS_ARRAY(uint32_t) ring; /* scratch: vertices */
+	/* What collapse_check found out: */
+	TCS_ARRAY(uint32_t) touched; /* the nodes around */
+	TCS_ARRAY(struct seam_move) moves;
+	TCS_ARRAY(struct ring_face) ring; /* scratch: of one vertex */
+	TCS_ARRAY(uint32_t) apart; /* scratch: vertices, if there are twins */
 	TCS_ARRAY(uint32_t) leaving; /* scratch: surfaces, one per face */
 	TCS_ARRAY(uint32_t) opened; /* scratch: contacts, one per point */
 };
@@ -125,7 +141,7 @@ double collapse_cost(
 enum tcs_status collapse_check(struct collapses *work, uint32_t node,
 	uint32_t target, bool *fine, struct tcs_fault *fault) TCS_CHECKED;
 
-/* Do what was found fine. Fails with TCS_NO_MEMORY. */
+/* Do what was just found fine. Fails with TCS_NO_MEMORY. */
 enum tcs_status collapse_do(struct collapses *work, uint32_t node,
 	uint32_t target, struct tcs_fault *fault) TCS_CHECKED;
 

@@ -73,7 +73,8 @@ find_components(struct component_set *set, struct tcs_fault *fault)
 		status = fault_memory(fault);
 	if (!status)
 		status = components_find(set->triangles.at, set->features.at,
-			count, &set->edges, set->numbers.at, &found, fault);
+			count, set->points.count, &set->edges, set->numbers.at,
+			&found, fault);
 	if (!status && array_grow(&set->components, found))
 		status = fault_memory(fault);
 	if (status)

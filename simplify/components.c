@@ -1,40 +1,60 @@
 #include "components.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "forest.h"
 
-/* A corner of a triangle: a feature's use of a point. */
+/* A use of a point: by a feature's triangle. */
 struct corner_use {
-	uint32_t feature, point, triangle;
+	uint32_t feature, triangle;
 };
 
 static int
-by_feature_and_point(const void *left, const void *right)
+by_feature(const void *left, const void *right)
 {
 	const struct corner_use *a = left, *b = right;
 
 	if (a->feature != b->feature)
 		return a->feature < b->feature ? -1 : 1;
-	if (a->point != b->point)
-		return a->point < b->point ? -1 : 1;
 	return (a->triangle > b->triangle) - (a->triangle < b->triangle);
 }
 
+/* The uses of one point: mostly all by the same feature. */
 static void
-join_corners(uint32_t *parents, struct corner_use *uses,
-	const struct tcs_triangle *triangles, const uint32_t *features,
-	size_t count)
+join_uses(uint32_t *parents, struct corner_use *uses, size_t count)
 {
-	for (size_t i = 0; i < 3 * count; i++)
-		uses[i] = (struct corner_use){features[i / 3],
-			triangles[i / 3].corner[i % 3], (uint32_t)(i / 3)};
-	qsort(uses, 3 * count, sizeof *uses, by_feature_and_point);
-	for (size_t i = 1; i < 3 * count; i++)
-		if (uses[i].feature == uses[i - 1].feature &&
-			uses[i].point == uses[i - 1].point)
+	bool sorted = true;
+
+	for (size_t i = 1; i < count; i++)
+		sorted &= uses[i].feature >= uses[i - 1].feature;
+	if (!sorted)
+		qsort(uses, count, sizeof *uses, by_feature);
+	for (size_t i = 1; i < count; i++)
+		if (uses[i].feature == uses[i - 1].feature)
 			forest_join(parents, uses[i - 1].triangle,
 				uses[i].triangle);
+}
+
+/* ends[point] is where the uses of the point end, once they are there. */
+static void
+join_corners(uint32_t *parents, struct corner_use *uses, uint32_t *ends,
+	const struct tcs_triangle *triangles, const uint32_t *features,
+	size_t count, size_t point_count)
+{
+	uint32_t first = 0;
+
+	for (size_t i = 0; i < 3 * count; i++)
+		ends[triangles[i / 3].corner[i % 3] + 1]++;
+	for (size_t p = 0; p < point_count; p++)
+		ends[p + 1] += ends[p];
+	for (size_t i = 0; i < 3 * count; i++)
+		uses[ends[triangles[i / 3].corner[i % 3]]++] =
+			(struct corner_use){features[i / 3], (uint32_t)(i / 3)};
+	for (size_t p = 0; p < point_count; p++) {
+		join_uses(parents, uses + first, ends[p] - first);
+		first = ends[p];
+	}
 }
 
 static void
@@ -53,21 +73,24 @@ join_edges(uint32_t *parents, const struct edge_table *table)
 
 enum tcs_status
 components_find(const struct tcs_triangle *triangles, const uint32_t *features,
-	size_t count, const struct edge_table *table, uint32_t *components,
-	size_t *component_count, struct tcs_fault *fault)
+	size_t count, size_t point_count, const struct edge_table *table,
+	uint32_t *components, size_t *component_count, struct tcs_fault *fault)
 {
 	struct corner_use *uses = calloc(3 * count + 1, sizeof *uses);
+	uint32_t *ends = calloc(point_count + 1, sizeof *ends);
 	uint32_t *parents = calloc(count + 1, sizeof *parents);
 
 	*component_count = 0;
-	if (!uses || !parents) {
+	if (!uses || !ends || !parents) {
 		free(uses);
+		free(ends);
 		free(parents);
 		return fault_memory(fault);
 	}
 	for (size_t i = 0; i < count; i++)
 		parents[i] = (uint32_t)i;
-	join_corners(parents, uses, triangles, features, count);
+	join_corners(
+		parents, uses, ends, triangles, features, count, point_count);
 	join_edges(parents, table);
 	/* A root is the first of its triangles. */
 	for (size_t i = 0; i < count; i++) {
@@ -77,6 +100,7 @@ components_find(const struct tcs_triangle *triangles, const uint32_t *features,
 					 : (uint32_t)(*component_count)++;
 	}
 	free(uses);
+	free(ends);
 	free(parents);
 	return TCS_OK;
 }

@@ -15,11 +15,12 @@
 /*
  * components[i] is that of triangles[i], numbered from 0 in the order of their
  * first triangles; features[i] is the triangle's feature. `table` is that of
- * the same triangles. Takes n log n steps. Fails with TCS_NO_MEMORY.
+ * the same triangles, whose corners are below `point_count`. Takes n log n
+ * steps. Fails with TCS_NO_MEMORY.
  */
 enum tcs_status components_find(const struct tcs_triangle *triangles,
-	const uint32_t *features, size_t count, const struct edge_table *table,
-	uint32_t *components, size_t *component_count,
-	struct tcs_fault *fault) TCS_CHECKED;
+	const uint32_t *features, size_t count, size_t point_count,
+	const struct edge_table *table, uint32_t *components,
+	size_t *component_count, struct tcs_fault *fault) TCS_CHECKED;
 
 #endif

@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+enum { SHORT_RUN = 24 }; /* edges of one point that are sorted in place */
+
 static struct edge_use
 use_of(const struct tcs_triangle *triangles, size_t triangle, int i)
 {
@@ -23,6 +25,26 @@ by_high(const void *left, const void *right)
 	return (a->triangle > b->triangle) - (a->triangle < b->triangle);
 }
 
+/* A point has few edges as a rule. */
+static void
+sort_run(struct edge_use *uses, size_t count)
+{
+	if (count > SHORT_RUN) {
+		qsort(uses, count, sizeof *uses, by_high);
+		return;
+	}
+	for (size_t i = 1; i < count; i++) {
+		struct edge_use use = uses[i];
+		size_t place = i;
+
+		while (place > 0 && by_high(&uses[place - 1], &use) > 0) {
+			uses[place] = uses[place - 1];
+			place--;
+		}
+		uses[place] = use;
+	}
+}
+
 /* Put the uses where their low points belong, then sort those of each. */
 static void
 distribute(struct edge_table *table, const struct tcs_triangle *triangles,
@@ -42,9 +64,7 @@ distribute(struct edge_table *table, const struct tcs_triangle *triangles,
 	}
 	/* Every start has moved to the end of its run. */
 	for (size_t p = 0; p < point_count; p++) {
-		if (starts[p] - first > 1)
-			qsort(table->uses.at + first, starts[p] - first,
-				sizeof *table->uses.at, by_high);
+		sort_run(table->uses.at + first, starts[p] - first);
 		first = starts[p];
 	}
 }

@@ -1,7 +1,5 @@
 #include "face_boxes.h"
 
-#include <float.h>
-#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -9,24 +7,6 @@ enum {
 	MAX_LEVELS = 11, /* 8^11 faces are more than there are */
 	CURVE_BITS = 10, /* of a place along each axis */
 };
-
-/* ---- single precision ---------------------------------------------------- */
-
-static float
-rounded_down(double value)
-{
-	float near = (float)fmax(-FLT_MAX, fmin(FLT_MAX, value));
-
-	return near - (fabsf(near) * FLT_EPSILON + FLT_MIN);
-}
-
-static float
-rounded_up(double value)
-{
-	float near = (float)fmax(-FLT_MAX, fmin(FLT_MAX, value));
-
-	return near + (fabsf(near) * FLT_EPSILON + FLT_MIN);
-}
 
 static double
 lesser(double a, double b)
@@ -38,18 +18,6 @@ static double
 greater(double a, double b)
 {
 	return a > b ? a : b;
-}
-
-struct float_box
-float_box_around(struct tcs_point a, struct tcs_point b, double reach)
-{
-	return (struct float_box){
-		{rounded_down(lesser(a.x, b.x) - reach),
-			rounded_down(lesser(a.y, b.y) - reach),
-			rounded_down(lesser(a.z, b.z) - reach)},
-		{rounded_up(greater(a.x, b.x) + reach),
-			rounded_up(greater(a.y, b.y) + reach),
-			rounded_up(greater(a.z, b.z) + reach)}};
 }
 
 static struct float_box

@@ -10,6 +10,9 @@
 #ifndef TESSERA_FACE_BOXES_H
 #define TESSERA_FACE_BOXES_H
 
+#include <float.h>
+#include <math.h>
+
 #include "sheets.h"
 
 enum { BLOCK_BOXES = 8 };
@@ -40,9 +43,45 @@ struct face_boxes {
 
 TCS_ARRAY_TYPE(face_list, uint32_t);
 
+static inline float
+rounded_down(double value)
+{
+	float near = (float)(value < -FLT_MAX ? -FLT_MAX
+			: value > FLT_MAX     ? FLT_MAX
+					      : value);
+
+	return near - (fabsf(near) * FLT_EPSILON + FLT_MIN);
+}
+
+static inline float
+rounded_up(double value)
+{
+	return -rounded_down(-value);
+}
+
 /* The box around two points and all that is within `reach` of them. */
-struct float_box float_box_around(
-	struct tcs_point a, struct tcs_point b, double reach);
+static inline struct float_box
+float_box_around(struct tcs_point a, struct tcs_point b, double reach)
+{
+	return (struct float_box){
+		{rounded_down((a.x < b.x ? a.x : b.x) - reach),
+			rounded_down((a.y < b.y ? a.y : b.y) - reach),
+			rounded_down((a.z < b.z ? a.z : b.z) - reach)},
+		{rounded_up((a.x > b.x ? a.x : b.x) + reach),
+			rounded_up((a.y > b.y ? a.y : b.y) + reach),
+			rounded_up((a.z > b.z ? a.z : b.z) + reach)}};
+}
+
+static inline bool
+float_box_holds(const struct float_box *box, struct tcs_point point)
+{
+	return point.x >= (double)box->low[0] &&
+		point.x <= (double)box->high[0] &&
+		point.y >= (double)box->low[1] &&
+		point.y <= (double)box->high[1] &&
+		point.z >= (double)box->low[2] &&
+		point.z <= (double)box->high[2];
+}
 
 static inline bool
 float_boxes_meet(const struct float_box *a, const struct float_box *b)

@@ -1,5 +1,6 @@
 #include "seams.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -94,7 +95,8 @@ keep_place(struct search *search, const struct touch *touch, uint32_t contact)
 		uint32_t hold = (uint32_t)seams->holds.count++;
 
 		seams->holds.at[hold].face = TCS_NONE;
-		seams_move_hold(seams, hold, touch->faces[side]);
+		/* A lengthened edge may begin before its face. */
+		seams_move_hold(seams, hold, touch->faces[side], INFINITY);
 	}
 	return TCS_OK;
 }
@@ -295,10 +297,13 @@ let_go(struct seams *seams, uint32_t hold)
 }
 
 void
-seams_move_hold(struct seams *seams, uint32_t hold, uint32_t face)
+seams_move_hold(struct seams *seams, uint32_t hold, uint32_t face, double off)
 {
 	struct seam_hold *moved = &seams->holds.at[hold];
 
+	moved->off = (float)(off * (1 + FLT_EPSILON));
+	if (moved->face == face)
+		return;
 	if (moved->face != TCS_NONE)
 		let_go(seams, hold);
 	moved->face = face;
@@ -312,8 +317,8 @@ seams_move_hold(struct seams *seams, uint32_t hold, uint32_t face)
 void
 seams_open(struct seams *seams, uint32_t point)
 {
-	seams_move_hold(seams, 2 * point, TCS_NONE);
-	seams_move_hold(seams, 2 * point + 1, TCS_NONE);
+	seams_move_hold(seams, 2 * point, TCS_NONE, INFINITY);
+	seams_move_hold(seams, 2 * point + 1, TCS_NONE, INFINITY);
 	seams->counts.at[seams->points.at[point].contact].open++;
 }
 

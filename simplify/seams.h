@@ -30,6 +30,7 @@ struct seam_point {
 struct seam_hold {
 	uint32_t face; /* TCS_NONE when open */
 	uint32_t next; /* hold of the same face; TCS_NONE */
+	float off; /* metres; the face is not farther from the point */
 };
 
 struct seam_count {
@@ -63,8 +64,9 @@ enum tcs_status seams_find(struct seams *seams, const struct component_set *set,
 	const struct sheets *sheets, double reach,
 	struct contact_list *contacts, struct tcs_fault *fault) TCS_CHECKED;
 
-/* Let a face hold what another, or none, has held. */
-void seams_move_hold(struct seams *seams, uint32_t hold, uint32_t face);
+/* Let a face hold what it, another, or none has held, `off` metres from it. */
+void seams_move_hold(
+	struct seams *seams, uint32_t hold, uint32_t face, double off);
 
 /* A point comes open: neither side holds it any more. */
 void seams_open(struct seams *seams, uint32_t point);

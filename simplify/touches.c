@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "enclosure.h"
 #include "vector.h"
@@ -57,13 +58,17 @@ shape_of(const struct look *look, uint32_t face)
 		look->scene->set, look->scene->sheets->face_triangles.at[face]);
 }
 
+static uint32_t
+next_corner(uint32_t corner)
+{
+	return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
 static struct edge
 edge_at(const struct look *look, uint32_t corner)
 {
-	uint32_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
-
-	return (struct edge){
-		corner, position_at(look, corner), position_at(look, next)};
+	return (struct edge){corner, position_at(look, corner),
+		position_at(look, next_corner(corner))};
 }
 
 /* Every edge is asked at one of its corners. */
@@ -119,6 +124,47 @@ list_near(struct look *look, const struct float_box *box, struct face_list *out)
 
 /* ---- vertices ------------------------------------------------------------ */
 
+static bool
+has_met(const struct look *look, uint32_t node)
+{
+	return look->touches->met.at[node / 32] >> node % 32 & 1;
+}
+
+static void
+set_met(struct touches *touches, uint32_t node, bool met)
+{
+	uint32_t bit = (uint32_t)1 << node % 32;
+
+	if (met)
+		touches->met.at[node / 32] |= bit;
+	else
+		touches->met.at[node / 32] &= ~bit;
+}
+
+/* No vertex has met anything yet. */
+static enum tcs_status
+clear_met(struct look *look)
+{
+	struct touches *touches = look->touches;
+	size_t words = look->scene->sheets->node_count / 32 + 1;
+
+	if (touches->met.count >= words)
+		return TCS_OK;
+	if (array_grow(&touches->met, words - touches->met.count))
+		return fault_memory(look->fault);
+	memset(touches->met.at, 0, words * sizeof *touches->met.at);
+	touches->met.count = words;
+	return TCS_OK;
+}
+
+/* All that have met something have planes. */
+static void
+forget_met(struct touches *touches, size_t first_plane)
+{
+	for (size_t i = first_plane; i < touches->planes.count; i++)
+		set_met(touches, touches->planes.at[i].node, false);
+}
+
 static enum tcs_status
 ask_vertex(struct look *look, uint32_t corner)
 {
@@ -150,6 +196,7 @@ ask_vertex(struct look *look, uint32_t corner)
 	if (status || nearest == TCS_NONE)
 		return status;
 	look->touching = true;
+	set_met(look->touches, node_at(look, corner), true);
 	return add_place(look, at, least, corner / 3, nearest);
 }
 
@@ -188,33 +235,42 @@ lengthened(const struct edge *edge)
 		vector_along(edge->to, along, BUFFER)};
 }
 
+/* Where a lengthened edge passes through a face, if it does. `from` and `to`
+   are the heights of the edge's ends. */
+static bool
+is_pierced(const struct look *look, uint32_t face, const struct edge *edge,
+	double from, double to, struct tcs_point *at)
+{
+	struct triangle_shape shape = shape_of(look, face);
+
+	*at = vector_along(edge->from, vector_difference(edge->to, edge->from),
+		from / (from - to));
+	return triangle_is_above(
+		&shape, look->scene->sheets->normals.at[face], *at);
+}
+
 /* The end that lies inside is a boundary vertex. */
 static enum tcs_status
-pierce(struct look *look, const struct edge *edge, const struct edge *longer,
-	uint32_t face)
+pierce(struct look *look, const struct edge *edge, uint32_t face)
 {
-	double from = height_over(look, face, longer->from);
-	double to = height_over(look, face, longer->to);
+	struct tcs_point normal = look->scene->sheets->normals.at[face];
+	double base = vector_dot(normal, position_at(look, 3 * face));
+	double from = vector_dot(normal, edge->from) - base;
+	double to = vector_dot(normal, edge->to) - base;
+	double more = BUFFER * (to - from);
 	uint32_t corner = edge->corner;
-	struct triangle_shape shape;
 	enum tcs_status status;
 	struct tcs_point at;
 
-	if ((from < 0) == (to < 0))
+	if ((from - more < 0) == (to + more < 0) ||
+		!is_pierced(look, face, edge, from, to, &at))
 		return TCS_OK;
-	shape = shape_of(look, face);
-	if (!triangle_pierced(&shape,
-		    (struct tcs_point[]){longer->from, longer->to}, &at))
-		return TCS_OK;
-	look->touching |= (height_over(look, face, edge->from) < 0) !=
-		(height_over(look, face, edge->to) < 0);
+	look->touching |= (from < 0) != (to < 0);
 	status = add_place(look, at, 0, corner / 3, face);
 	if (!status)
 		status = add_plane(look,
 			node_at(look,
-				to >= from		  ? corner
-					: corner % 3 == 2 ? corner - 2
-							  : corner + 1),
+				to >= from ? corner : next_corner(corner)),
 			face);
 	return status ? status : add_embedded(look, corner, face);
 }
@@ -222,14 +278,21 @@ pierce(struct look *look, const struct edge *edge, const struct edge *longer,
 static enum tcs_status
 ask_edge(struct look *look, uint32_t corner)
 {
-	struct edge edge = edge_at(look, corner);
-	struct edge longer = lengthened(&edge);
-	struct float_box box = float_box_around(longer.from, longer.to, 0);
 	const struct face_list *there = &look->touches->there;
-	enum tcs_status status = list_near(look, &box, &look->touches->there);
+	struct edge edge, longer;
+	struct float_box box;
+	enum tcs_status status;
+
+	if (has_met(look, node_at(look, corner)) &&
+		has_met(look, node_at(look, next_corner(corner))))
+		return TCS_OK;
+	edge = edge_at(look, corner);
+	longer = lengthened(&edge);
+	box = float_box_around(longer.from, longer.to, 0);
+	status = list_near(look, &box, &look->touches->there);
 
 	for (size_t i = 0; !status && i < there->count; i++)
-		status = pierce(look, &edge, &longer, there->at[i]);
+		status = pierce(look, &edge, there->at[i]);
 	return status;
 }
 
@@ -324,14 +387,9 @@ ask_vertices(struct look *look, const struct float_box *other)
 
 	for (size_t i = 0; !status && i < 3 * near->count; i++) {
 		uint32_t corner = 3 * near->at[i / 3] + (uint32_t)(i % 3);
-		struct tcs_point at;
-		struct float_box box;
 
-		if (!is_first_corner(look, corner))
-			continue;
-		at = position_at(look, corner);
-		box = float_box_around(at, at, 0);
-		if (float_boxes_meet(&box, other))
+		if (is_first_corner(look, corner) &&
+			float_box_holds(other, position_at(look, corner)))
 			status = ask_vertex(look, corner);
 	}
 	return status;
@@ -486,7 +544,7 @@ touches_add(struct touches *touches, const struct touch_scene *scene,
 		.fault = fault};
 	size_t places = touches->places.count, planes = touches->planes.count;
 	struct contact contact = {.a = a, .b = b};
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status = clear_met(&look);
 
 	for (; !status && look.side < 2; look.side++)
 		status = look_across(&look);
@@ -494,6 +552,7 @@ touches_add(struct touches *touches, const struct touch_scene *scene,
 		status = compare_all_edges(&look);
 	if (status)
 		return status;
+	forget_met(touches, planes);
 	if (look.touching) {
 		contact.at = touches->places.at[places].at;
 		thin_out(touches, places);
@@ -524,6 +583,7 @@ touches_release(struct touches *touches)
 	array_release(&touches->ends);
 	array_release(&touches->places);
 	array_release(&touches->planes);
+	array_release(&touches->met);
 	array_release(&touches->near);
 	array_release(&touches->there);
 }

@@ -4,8 +4,8 @@
  * meet.
  *
  * Every vertex is asked once which faces of the other component are within
- * reach of it, and every edge which ones it pierces. Where neither tells, edges
- * may still be near edges.
+ * reach of it, and every edge which ones it pierces, unless both of its ends
+ * touch anyhow. Where neither tells, edges may still be near edges.
  *
  * source: W, boundary vertices, embedded edges, buffer, collapse reference
  * planes (Wang et al. 2021, ISPRS IJGI 10, 422).
@@ -48,6 +48,7 @@ struct touches {
 	TCS_ARRAY(struct touch) places; /* by contact */
 	TCS_ARRAY(struct touch_plane) planes;
 	struct face_list near, there; /* scratch */
+	TCS_ARRAY(uint32_t) met; /* scratch: a bit per node that touches */
 };
 
 /*

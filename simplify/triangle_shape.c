@@ -54,9 +54,8 @@ is_outside(struct tcs_point a, struct tcs_point b, struct tcs_point normal,
 		       vector_difference(point, a)) < 0;
 }
 
-/* Whether `point`, projected on the plane, lies inside all three edges. */
-static bool
-is_above(const struct triangle_shape *t, struct tcs_point normal,
+bool
+triangle_is_above(const struct triangle_shape *t, struct tcs_point normal,
 	struct tcs_point point)
 {
 	for (int i = 0; i < 3; i++)
@@ -68,9 +67,9 @@ is_above(const struct triangle_shape *t, struct tcs_point normal,
 
 /* Only an edge that has the point on its outer side can be nearest. */
 struct tcs_point
-triangle_nearest(const struct triangle_shape *t, struct tcs_point point)
+triangle_nearest_along(const struct triangle_shape *t, struct tcs_point normal,
+	struct tcs_point point)
 {
-	struct tcs_point normal = triangle_normal(t);
 	double square = vector_dot(normal, normal), least = INFINITY;
 	struct tcs_point best = t->corner[0];
 	bool inside = square > 0;
@@ -96,6 +95,12 @@ triangle_nearest(const struct triangle_shape *t, struct tcs_point point)
 				vector_difference(point, t->corner[0])) /
 				square);
 	return best;
+}
+
+struct tcs_point
+triangle_nearest(const struct triangle_shape *t, struct tcs_point point)
+{
+	return triangle_nearest_along(t, triangle_normal(t), point);
 }
 
 static double
@@ -140,7 +145,7 @@ triangle_pierced(const struct triangle_shape *t,
 		return false;
 	*at = vector_along(segment[0],
 		vector_difference(segment[1], segment[0]), a / (a - b));
-	return is_above(t, normal, *at);
+	return triangle_is_above(t, normal, *at);
 }
 
 /* Pierced by an edge of the other: *at is where. */

@@ -21,6 +21,10 @@ struct triangle_shape {
 struct tcs_point triangle_nearest(
 	const struct triangle_shape *triangle, struct tcs_point point);
 
+/* The same, for who has the triangle's normal already, of any length. */
+struct tcs_point triangle_nearest_along(const struct triangle_shape *triangle,
+	struct tcs_point normal, struct tcs_point point);
+
 /* The points of two segments that are nearest to each other; their distance. */
 double segment_gap(const struct tcs_point a[2], const struct tcs_point b[2],
 	struct tcs_point out[2]);
@@ -36,6 +40,11 @@ double triangle_gap(const struct triangle_shape *a,
    and where. A segment that only touches, or lies in the plane, does not. */
 bool triangle_pierced(const struct triangle_shape *triangle,
 	const struct tcs_point segment[2], struct tcs_point *at);
+
+/* Whether the point, projected on the triangle's plane, lies in the triangle;
+   `normal` is its normal, of any length. */
+bool triangle_is_above(const struct triangle_shape *triangle,
+	struct tcs_point normal, struct tcs_point point);
 
 /*
  * Where origin + t · direction meets the triangle. *margin is how far inside

@@ -30,7 +30,7 @@ count_components(struct mesh *mesh)
 	CHECK(!edge_table_build(
 		&table, mesh->triangles, mesh->count, ROOM, &fault));
 	CHECK(!components_find(mesh->triangles, mesh->features, mesh->count,
-		&table, mesh->components, &count, &fault));
+		ROOM, &table, mesh->components, &count, &fault));
 	edge_table_release(&table);
 	return count;
 }
