@@ -43,7 +43,7 @@ list_vanished(const struct object_simplifier *simplifier,
 	for (size_t i = 0; !status && i < work->surfaces.count; i++) {
 		const struct tcs_feature *feature = &in->features.at[i];
 
-		if (simplifier->writer.samples.at[i] == TCS_NONE ||
+		if (simplifier->writer.faces.samples.at[i] == TCS_NONE ||
 			simplifier->homes.at[i] != i ||
 			work->surfaces.at[i] > 0)
 			continue;

@@ -39,7 +39,7 @@ find_home(struct lod_source *source, const struct tcs_object *object,
 
 static enum tcs_status
 take_polygon(struct lod_source *source, const struct tcs_object *object,
-	uint32_t polygon, const struct frame *frame, struct tcs_fault *fault)
+	uint32_t polygon, struct tcs_fault *fault)
 {
 	const struct tcs_polygon *own = &object->polygons.at[polygon];
 	const struct tcs_triangle *triangle =
@@ -53,7 +53,7 @@ take_polygon(struct lod_source *source, const struct tcs_object *object,
 		enum tcs_status status;
 
 		for (int k = 0; k < 3; k++)
-			corners[k] = frame_to_local(frame,
+			corners[k] = frame_to_local(&source->frame,
 				object->vertices.at[triangle[i].corner[k]]);
 		status = component_set_add(
 			&source->set, corners, own->surface, fault);
@@ -67,8 +67,7 @@ take_polygon(struct lod_source *source, const struct tcs_object *object,
 
 static enum tcs_status
 take_geometry(struct lod_source *source, const struct tcs_object *object,
-	const struct tcs_geometry *geometry, const struct frame *frame,
-	struct tcs_fault *fault)
+	const struct tcs_geometry *geometry, struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
 
@@ -77,8 +76,7 @@ take_geometry(struct lod_source *source, const struct tcs_object *object,
 
 		status = find_home(source, object, polygon, fault);
 		if (!status && source->homes.at[polygon] == polygon)
-			status = take_polygon(
-				source, object, polygon, frame, fault);
+			status = take_polygon(source, object, polygon, fault);
 	}
 	return status;
 }
@@ -89,10 +87,9 @@ lod_source_load(struct lod_source *source, const struct tcs_object *object,
 {
 	size_t count = object->polygons.count;
 	enum tcs_status status;
-	struct frame frame;
 
 	clear(source);
-	frame_init(&frame, crs,
+	frame_init(&source->frame, crs,
 		object->vertices.count ? &object->vertices.at[0] : NULL);
 	if (array_grow(&source->homes, count))
 		return fault_memory(fault);
@@ -103,7 +100,7 @@ lod_source_load(struct lod_source *source, const struct tcs_object *object,
 	for (size_t i = 0; !status && i < object->geometries.count; i++)
 		if (source->selection.geometries.at[i])
 			status = take_geometry(source, object,
-				&object->geometries.at[i], &frame, fault);
+				&object->geometries.at[i], fault);
 	if (!status)
 		status = component_set_join(&source->set, fault);
 	return status;

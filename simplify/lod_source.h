@@ -14,7 +14,8 @@
 /* All zero is empty; reused from object to object. */
 struct lod_source {
 	struct selection selection;
-	struct component_set set; /* metres from the object's first vertex */
+	struct frame frame; /* at the object's first vertex */
+	struct component_set set; /* in that frame: metres */
 	TCS_ARRAY(uint32_t) polygons; /* per triangle of the set */
 	TCS_ARRAY(struct tcs_triangle)
 	vertices; /* per triangle of the set:

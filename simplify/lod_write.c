@@ -57,104 +57,6 @@ lod_write_begin(struct lod_writer *writer, const struct tcs_object *from,
 	return sort_paints(writer, fault);
 }
 
-/* ---- the faces that are left ---------------------------------------------- */
-
-static enum tcs_status
-find_node_vertices(struct lod_writer *writer, const struct lod_source *source,
-	const struct collapses *work, struct tcs_fault *fault)
-{
-	const struct sheets *sheets = work->sheets;
-
-	array_clear(&writer->nodes);
-	if (array_grow(&writer->nodes, sheets->node_count))
-		return fault_memory(fault);
-	writer->nodes.count = sheets->node_count;
-	for (size_t i = sheets->corners.count; i-- > 0;) {
-		uint32_t triangle = sheets->face_triangles.at[i / 3];
-
-		writer->nodes.at[node_of(work, sheets->corners.at[i])] =
-			source->vertices.at[triangle].corner[i % 3];
-	}
-	return TCS_OK;
-}
-
-static enum tcs_status
-find_samples(struct lod_writer *writer, const struct lod_source *source,
-	struct tcs_fault *fault)
-{
-	size_t count = writer->from->features.count;
-
-	array_clear(&writer->samples);
-	if (array_grow(&writer->samples, count))
-		return fault_memory(fault);
-	writer->samples.count = count;
-	for (size_t i = 0; i < count; i++)
-		writer->samples.at[i] = TCS_NONE;
-	for (size_t i = source->set.features.count; i-- > 0;)
-		writer->samples.at[source->set.features.at[i]] = (uint32_t)i;
-	return TCS_OK;
-}
-
-static int
-by_polygon(const void *left, const void *right)
-{
-	const struct lod_face *a = left, *b = right;
-
-	if (a->polygon != b->polygon)
-		return a->polygon < b->polygon ? -1 : 1;
-	return (a->triangle > b->triangle) - (a->triangle < b->triangle);
-}
-
-static enum tcs_status
-index_faces(struct lod_writer *writer, struct tcs_fault *fault)
-{
-	size_t polygons = writer->from->polygons.count, face = 0;
-
-	array_clear(&writer->first_faces);
-	if (array_grow(&writer->first_faces, polygons + 1))
-		return fault_memory(fault);
-	writer->first_faces.count = polygons + 1;
-	for (size_t i = 0; i <= polygons; i++) {
-		while (face < writer->faces.count &&
-			writer->faces.at[face].polygon < i)
-			face++;
-		writer->first_faces.at[i] = (uint32_t)face;
-	}
-	return TCS_OK;
-}
-
-enum tcs_status
-lod_write_faces(struct lod_writer *writer, const struct lod_source *source,
-	const struct collapses *work, struct tcs_fault *fault)
-{
-	size_t count = work->sheets->face_triangles.count;
-	enum tcs_status status =
-		find_node_vertices(writer, source, work, fault);
-
-	if (!status)
-		status = find_samples(writer, source, fault);
-	array_clear(&writer->faces);
-	if (!status && array_grow(&writer->faces, work->face_count))
-		status = fault_memory(fault);
-	for (uint32_t i = 0; !status && i < count; i++) {
-		struct lod_face *face = writer->faces.at + writer->faces.count;
-		uint32_t nodes[3];
-
-		if (!collapses_face(work, i, nodes))
-			continue;
-		face->triangle = work->sheets->face_triangles.at[i];
-		face->polygon = source->polygons.at[face->triangle];
-		face->surface = work->features.at[i];
-		for (int k = 0; k < 3; k++)
-			face->vertices[k] = writer->nodes.at[nodes[k]];
-		writer->faces.count++;
-	}
-	if (!status && writer->faces.count > 0)
-		qsort(writer->faces.at, writer->faces.count,
-			sizeof *writer->faces.at, by_polygon);
-	return status ? status : index_faces(writer, fault);
-}
-
 /* ---- polygons ------------------------------------------------------------ */
 
 static enum tcs_status
@@ -294,7 +196,7 @@ painted_as(const struct lod_writer *writer, const struct lod_source *source,
 	const struct lod_face *face)
 {
 	bool own = source->set.features.at[face->triangle] == face->surface;
-	uint32_t sample = writer->samples.at[face->surface];
+	uint32_t sample = writer->faces.samples.at[face->surface];
 
 	return own || sample == TCS_NONE ? face->triangle : sample;
 }
@@ -331,7 +233,7 @@ project_paints(struct lod_writer *writer, const struct lod_source *source,
 		for (int k = 0; k < 3; k++)
 			to->texcoords.at[to->texcoords.count++] =
 				texture_plane_at(corners, old_coordinates,
-					from->vertices.at[face->vertices[k]]);
+					face->corners[k]);
 	}
 	return TCS_OK;
 }
@@ -353,8 +255,7 @@ put_face(struct lod_writer *writer, const struct lod_source *source,
 		(struct tcs_triangle){{out->first_vertex, out->first_vertex + 1,
 			out->first_vertex + 2}};
 	for (int k = 0; !status && k < 3; k++)
-		status = put_vertex(to,
-			writer->from->vertices.at[face->vertices[k]], fault);
+		status = put_vertex(to, face->corners[k], fault);
 	return status ? status : project_paints(writer, source, face, fault);
 }
 
@@ -365,13 +266,14 @@ simplify_polygon(struct lod_writer *writer, const struct lod_source *source,
 {
 	const struct tcs_polygon *own = &writer->from->polygons.at[polygon];
 	uint32_t home = source->homes.at[polygon];
-	uint32_t first = writer->first_faces.at[home];
-	uint32_t end = writer->first_faces.at[home + 1];
+	uint32_t first = writer->faces.first.at[home];
+	uint32_t end = writer->faces.first.at[home + 1];
 	enum tcs_status status = TCS_OK;
 
 	for (uint32_t i = first; !status && i < end; i++) {
 		struct tcs_polygon like = {
-			.surface = writer->homes[writer->faces.at[i].surface],
+			.surface = writer->homes[writer->faces.faces.at[i]
+							 .surface],
 			.vertex_count = 3,
 			.triangle_count = 1,
 			.flags = own->flags & TCS_POLYGON_SHARED,
@@ -380,8 +282,8 @@ simplify_polygon(struct lod_writer *writer, const struct lod_source *source,
 		status = derive_id(
 			writer, own->id, lod, i - first, &like.id, fault);
 		if (!status)
-			status = put_face(writer, source, &writer->faces.at[i],
-				&like, fault);
+			status = put_face(writer, source,
+				&writer->faces.faces.at[i], &like, fault);
 	}
 	return status;
 }
@@ -632,10 +534,7 @@ lod_write_release(struct lod_writer *writer)
 	object_release(&writer->to);
 	array_release(&writer->paints);
 	array_release(&writer->first_paints);
-	array_release(&writer->faces);
-	array_release(&writer->first_faces);
-	array_release(&writer->samples);
-	array_release(&writer->nodes);
+	lod_faces_release(&writer->faces);
 	array_release(&writer->solids);
 	array_release(&writer->uses);
 	array_release(&writer->id);

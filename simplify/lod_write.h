@@ -11,15 +11,7 @@
 #ifndef TESSERA_LOD_WRITE_H
 #define TESSERA_LOD_WRITE_H
 
-#include "collapses.h"
-#include "lod_source.h"
-
-struct lod_face {
-	uint32_t polygon; /* of the object; that of the old triangle */
-	uint32_t triangle; /* of the source: the old one */
-	uint32_t surface; /* feature */
-	uint32_t vertices[3]; /* of the object */
-};
+#include "lod_faces.h"
 
 /* A geometry of `from`, and the feature that has it at a level. */
 struct home_use {
@@ -33,12 +25,7 @@ struct lod_writer {
 	                         and text are lent by `from` */
 	TCS_ARRAY(uint32_t) paints; /* of `from`, by polygon */
 	TCS_ARRAY(uint32_t) first_paints; /* per polygon, and one more */
-	TCS_ARRAY(struct lod_face) faces; /* by polygon */
-	TCS_ARRAY(uint32_t) first_faces; /* per polygon, and one more */
-	TCS_ARRAY(uint32_t)
-	samples; /* per feature: the first triangle of the
-	                                source that is its; TCS_NONE */
-	TCS_ARRAY(uint32_t) nodes; /* scratch: the vertex of each node */
+	struct lod_faces faces; /* taken before a level is written */
 	const uint32_t *homes; /* as lod_write_level got them */
 	TCS_ARRAY(uint32_t)
 	solids; /* per feature: its geometry written as a
@@ -50,11 +37,6 @@ struct lod_writer {
 /* Begin: `to` is `from` without geometries. Fails with TCS_NO_MEMORY. */
 enum tcs_status lod_write_begin(struct lod_writer *writer,
 	const struct tcs_object *from, struct tcs_fault *fault) TCS_CHECKED;
-
-/* Take the faces that are left now. Fails with TCS_NO_MEMORY. */
-enum tcs_status lod_write_faces(struct lod_writer *writer,
-	const struct lod_source *source, const struct collapses *work,
-	struct tcs_fault *fault) TCS_CHECKED;
 
 /* Append a geometry of `from` as it is. Fails with TCS_NO_MEMORY. */
 enum tcs_status lod_write_copy(struct lod_writer *writer, uint32_t geometry,

@@ -196,8 +196,8 @@ write_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 
 	if (level->lod == LOD_IN_PLACE && level_is_unchanged(simplifier))
 		return write_unchanged(simplifier, in, fault);
-	status = lod_write_faces(&simplifier->writer, &simplifier->source,
-		&simplifier->collapses, fault);
+	status = lod_faces_take(&simplifier->writer.faces, in,
+		&simplifier->source, &simplifier->collapses, fault);
 	if (!status)
 		status = find_homes(simplifier, in, level->lod, fault);
 	if (!status)

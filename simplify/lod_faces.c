@@ -1,0 +1,136 @@
+#include "lod_faces.h"
+
+#include <stdlib.h>
+
+static bool
+is_moved(const struct collapses *work, uint32_t node)
+{
+	struct tcs_point now = work->positions.at[node];
+	struct tcs_point first =
+		work->set->points.at[work->sheets->nodes.at[node].point];
+
+	return now.x < first.x || now.x > first.x || now.y < first.y ||
+		now.y > first.y || now.z < first.z || now.z > first.z;
+}
+
+/* Where every node is in stream coordinates. */
+static enum tcs_status
+place_nodes(struct lod_faces *faces, const struct tcs_object *from,
+	const struct lod_source *source, const struct collapses *work,
+	struct tcs_fault *fault)
+{
+	const struct sheets *sheets = work->sheets;
+
+	array_clear(&faces->places);
+	if (array_grow(&faces->places, sheets->node_count))
+		return fault_memory(fault);
+	faces->places.count = sheets->node_count;
+	for (size_t i = sheets->corners.count; i-- > 0;) {
+		uint32_t triangle = sheets->face_triangles.at[i / 3];
+		uint32_t vertex = source->vertices.at[triangle].corner[i % 3];
+
+		faces->places.at[node_of(work, sheets->corners.at[i])] =
+			from->vertices.at[vertex];
+	}
+	for (uint32_t i = 0; i < sheets->node_count; i++)
+		if (is_moved(work, i))
+			faces->places.at[i] = frame_from_local(
+				&source->frame, work->positions.at[i]);
+	return TCS_OK;
+}
+
+static enum tcs_status
+find_samples(struct lod_faces *faces, size_t features,
+	const struct lod_source *source, struct tcs_fault *fault)
+{
+	array_clear(&faces->samples);
+	if (array_grow(&faces->samples, features))
+		return fault_memory(fault);
+	faces->samples.count = features;
+	for (size_t i = 0; i < features; i++)
+		faces->samples.at[i] = TCS_NONE;
+	for (size_t i = source->set.features.count; i-- > 0;)
+		faces->samples.at[source->set.features.at[i]] = (uint32_t)i;
+	return TCS_OK;
+}
+
+static int
+by_polygon(const void *left, const void *right)
+{
+	const struct lod_face *a = left, *b = right;
+
+	if (a->polygon != b->polygon)
+		return a->polygon < b->polygon ? -1 : 1;
+	return (a->triangle > b->triangle) - (a->triangle < b->triangle);
+}
+
+static enum tcs_status
+index_faces(struct lod_faces *faces, size_t polygons, struct tcs_fault *fault)
+{
+	size_t face = 0;
+
+	array_clear(&faces->first);
+	if (array_grow(&faces->first, polygons + 1))
+		return fault_memory(fault);
+	faces->first.count = polygons + 1;
+	for (size_t i = 0; i <= polygons; i++) {
+		while (face < faces->faces.count &&
+			faces->faces.at[face].polygon < i)
+			face++;
+		faces->first.at[i] = (uint32_t)face;
+	}
+	return TCS_OK;
+}
+
+/* In the order of the source; there is room. */
+static void
+list_faces(struct lod_faces *faces, const struct lod_source *source,
+	const struct collapses *work)
+{
+	size_t count = work->sheets->face_triangles.count;
+
+	for (uint32_t i = 0; i < count; i++) {
+		struct lod_face *face = faces->faces.at + faces->faces.count;
+		uint32_t nodes[3];
+
+		if (!collapses_face(work, i, nodes))
+			continue;
+		face->triangle = work->sheets->face_triangles.at[i];
+		face->polygon = source->polygons.at[face->triangle];
+		face->surface = work->features.at[i];
+		for (int k = 0; k < 3; k++)
+			face->corners[k] = faces->places.at[nodes[k]];
+		faces->faces.count++;
+	}
+}
+
+enum tcs_status
+lod_faces_take(struct lod_faces *faces, const struct tcs_object *from,
+	const struct lod_source *source, const struct collapses *work,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = place_nodes(faces, from, source, work, fault);
+
+	if (!status)
+		status = find_samples(
+			faces, from->features.count, source, fault);
+	array_clear(&faces->faces);
+	if (!status && array_grow(&faces->faces, work->face_count))
+		status = fault_memory(fault);
+	if (status)
+		return status;
+	list_faces(faces, source, work);
+	if (faces->faces.count > 0)
+		qsort(faces->faces.at, faces->faces.count,
+			sizeof *faces->faces.at, by_polygon);
+	return index_faces(faces, from->polygons.count, fault);
+}
+
+void
+lod_faces_release(struct lod_faces *faces)
+{
+	array_release(&faces->faces);
+	array_release(&faces->first);
+	array_release(&faces->samples);
+	array_release(&faces->places);
+}
