@@ -309,6 +309,17 @@ collapses_face(const struct collapses *work, uint32_t face, uint32_t nodes[3])
 	return true;
 }
 
+bool
+collapses_is_moved(const struct collapses *work, uint32_t node)
+{
+	struct tcs_point now = work->positions.at[node];
+	struct tcs_point first =
+		work->set->points.at[work->sheets->nodes.at[node].point];
+
+	return now.x < first.x || now.x > first.x || now.y < first.y ||
+		now.y > first.y || now.z < first.z || now.z > first.z;
+}
+
 void
 collapses_release(struct collapses *work)
 {

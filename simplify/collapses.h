@@ -102,6 +102,9 @@ enum tcs_status collapses_dissolve(struct collapses *work,
 bool collapses_face(
 	const struct collapses *work, uint32_t face, uint32_t nodes[3]);
 
+/* Whether a node is not where it was at the beginning. */
+bool collapses_is_moved(const struct collapses *work, uint32_t node);
+
 void collapses_release(struct collapses *work);
 
 /* ---- between the files of the simplifier ---------------------------------- */

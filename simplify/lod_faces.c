@@ -2,17 +2,6 @@
 
 #include <stdlib.h>
 
-static bool
-is_moved(const struct collapses *work, uint32_t node)
-{
-	struct tcs_point now = work->positions.at[node];
-	struct tcs_point first =
-		work->set->points.at[work->sheets->nodes.at[node].point];
-
-	return now.x < first.x || now.x > first.x || now.y < first.y ||
-		now.y > first.y || now.z < first.z || now.z > first.z;
-}
-
 /* Where every node is in stream coordinates. */
 static enum tcs_status
 place_nodes(struct lod_faces *faces, const struct tcs_object *from,
@@ -33,7 +22,7 @@ place_nodes(struct lod_faces *faces, const struct tcs_object *from,
 			from->vertices.at[vertex];
 	}
 	for (uint32_t i = 0; i < sheets->node_count; i++)
-		if (is_moved(work, i))
+		if (collapses_is_moved(work, i))
 			faces->places.at[i] = frame_from_local(
 				&source->frame, work->positions.at[i]);
 	return TCS_OK;

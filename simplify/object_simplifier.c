@@ -236,6 +236,11 @@ make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	if (!status)
 		status = reach_level(simplifier, level, target, fault);
 	if (!status)
+		status = overlaps_part(&simplifier->overlaps, work, fault);
+	if (!status)
+		status = report_add(report, "overlaps parted",
+			simplifier->overlaps.parted, fault);
+	if (!status)
 		status = write_level(simplifier, in, level, fault);
 	if (!status)
 		status = level_report(
@@ -273,6 +278,7 @@ object_simplifier_release(struct object_simplifier *simplifier)
 	collapses_release(&simplifier->collapses);
 	lod_write_release(&simplifier->writer);
 	openings_release(&simplifier->openings);
+	overlaps_release(&simplifier->overlaps);
 	array_release(&simplifier->homes);
 	array_release(&simplifier->hosts);
 }

@@ -11,6 +11,7 @@
 #include "lod_source.h"
 #include "lod_write.h"
 #include "openings.h"
+#include "overlaps.h"
 #include "report.h"
 
 enum { SIMPLIFY_LEVELS = 8 };
@@ -39,6 +40,7 @@ struct object_simplifier {
 	struct collapses collapses;
 	struct lod_writer writer;
 	struct openings openings;
+	struct overlaps overlaps;
 	TCS_ARRAY(uint32_t) homes; /* see lod_home.h */
 	TCS_ARRAY(bool) hosts; /* per feature: see selection */
 };
