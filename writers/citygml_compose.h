@@ -7,6 +7,7 @@
  * Then the items are sorted by feature and property, which is the order the
  * schema wants, and written:
  *
+ *     citygml_shelter.c    features that are not in the stream
  *     citygml_compose.c    features, from the top down; ids
  *     citygml_values.c     simple and structured attributes
  *     citygml_spelling.c   values as the schema spells them
@@ -162,6 +163,7 @@ struct gml_image {
 struct compose_plan {
 	struct schema schema;
 	struct gml_palette *palette;
+	bool from_3; /* the source is CityGML 3.0 */
 	bool north_first; /* the source's axis order */
 	bool geographic; /* x and y are degrees */
 	double metres, metres_up; /* per unit of x and y, of z */
@@ -194,7 +196,7 @@ struct composer {
 	struct composed *out;
 	uint64_t number; /* of the object, or the prototype, in the stream */
 	uint64_t before; /* objects before it */
-	TCS_ARRAY(struct node) nodes;
+	TCS_ARRAY(struct node) nodes; /* by feature, then those made up */
 	TCS_ARRAY(struct item) items;
 	TCS_ARRAY(struct piece) pieces;
 	TCS_ARRAY(uint32_t) owners; /* geometry of each polygon */
@@ -317,6 +319,51 @@ enum tcs_status item_add(struct composer *composer, uint32_t feature,
 /* Items: everything else, sorted. */
 enum tcs_status place_items(
 	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The property for a geometry at a level; SCHEMA_NONE for none. Bit n of
+ * `taken`: property n has one. */
+uint16_t place_find(const struct composer *composer,
+	const struct schema_class *class, uint64_t taken,
+	const struct tcs_geometry *geometry, unsigned lod);
+
+/* Put the geometry there: the property is taken then. */
+enum tcs_status place_geometry_at(struct composer *composer, uint32_t index,
+	uint32_t feature, uint16_t property, unsigned lod,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The same for an instance: the nearest level will do. */
+uint16_t place_find_instance(
+	const struct schema_class *class, uint64_t taken, unsigned lod);
+
+/* ---- citygml_shelter.c ---------------------------------------------------- */
+
+/* The class that takes what no other does. */
+unsigned shelter_class(const struct composer *composer);
+
+/*
+ * A node for no feature of the stream, in a property of the parent, or a
+ * member of the model for SCHEMA_NONE. Its number in *made.
+ */
+enum tcs_status shelter_add(struct composer *composer, uint32_t parent,
+	uint16_t property, unsigned class, uint32_t *made,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Give a geometry, or an instance, that its feature has no place for a generic
+ * feature of its own, below that one or beside it, and say so; or say that it
+ * is left out. `crowded`: another level of detail has its place.
+ */
+enum tcs_status shelter_geometry(struct composer *composer, uint32_t index,
+	uint32_t owner, bool crowded, struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status shelter_instance(struct composer *composer, uint32_t index,
+	uint32_t owner, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Ids for all of them. */
+void shelters_name(struct composer *composer);
+
+/* What was taken out of its parent says so. */
+enum tcs_status shelter_say_part_of(struct composer *composer, uint32_t feature,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /* ---- citygml_pieces.c ---------------------------------------------------- */
 

@@ -170,24 +170,20 @@ is_terrain(const char *name)
 	return strstr(name, "Terrain") != NULL;
 }
 
-/* The property for a geometry of this feature; SCHEMA_NONE for none. */
-static uint16_t
-find_property(const struct composer *composer, uint32_t feature,
-	const struct tcs_geometry *geometry, unsigned lod, bool taken_too)
+uint16_t
+place_find(const struct composer *composer, const struct schema_class *class,
+	uint64_t taken, const struct tcs_geometry *geometry, unsigned lod)
 {
-	const struct node *node = &composer->nodes.at[feature];
 	const char *role = compose_text(composer, geometry->role);
 	unsigned least = NO_FIT;
 	uint16_t found = SCHEMA_NONE;
 
-	for (uint16_t i = 0; i < node->class->count; i++) {
-		const struct property *property = &node->class->properties[i];
+	for (uint16_t i = 0; i < class->count; i++) {
+		const struct property *property = &class->properties[i];
 		bool named = !strcmp(property->name, role);
 		unsigned how = fit(composer, property->content, geometry);
 
-		if (how == NO_FIT ||
-			(!taken_too && !property->many &&
-				(node->taken >> i & 1)))
+		if (how == NO_FIT || (!property->many && (taken >> i & 1)))
 			continue;
 		if (named &&
 			(property->lod == lod ||
@@ -267,22 +263,6 @@ is_surfaces(unsigned kind)
 		kind == TCS_TIN;
 }
 
-static enum tcs_status
-lose_geometry(struct composer *composer, const struct tcs_geometry *geometry,
-	const char *reason, struct tcs_fault *fault)
-{
-	const char *id = compose_text(composer, geometry->id);
-
-	if (!*id)
-		id = compose_text(composer,
-			composer->object.features.at[geometry->feature].id);
-	for (uint32_t i = 0; i < geometry->polygon_count; i++)
-		composer->pieces.at[geometry->first_polygon + i].home =
-			TCS_NONE;
-	return compose_note(
-		composer, REPORT_SKIPPED, "geometry", reason, id, fault);
-}
-
 /* Its polygons join a geometry that stands there already. */
 static enum tcs_status
 merge_geometry(struct composer *composer, uint32_t feature, uint16_t property,
@@ -336,6 +316,29 @@ place_address(struct composer *composer, uint32_t index)
 	return true;
 }
 
+enum tcs_status
+place_geometry_at(struct composer *composer, uint32_t index, uint32_t feature,
+	uint16_t property, unsigned lod, struct tcs_fault *fault)
+{
+	const struct tcs_geometry *geometry =
+		&composer->object.geometries.at[index];
+	bool flat = geometry->kind == TCS_MULTI_CURVE ||
+		geometry->kind == TCS_MULTI_POINT || lod > 4 ||
+		(lod < 2 && (geometry->flags & TCS_GEOMETRY_SIMPLIFIED)) ||
+		feature >= composer->object.features.count;
+	enum tcs_status status;
+
+	composer->nodes.at[feature].taken |= (uint64_t)1 << property;
+	status = item_add(
+		composer, feature, property, ITEM_GEOMETRY, index, fault);
+	for (uint32_t i = 0; i < geometry->polygon_count && !status; i++) {
+		composer->owners.at[geometry->first_polygon + i] = index;
+		status = place_polygon(composer, geometry->first_polygon + i,
+			feature, lod, flat, fault);
+	}
+	return status;
+}
+
 static enum tcs_status
 place_geometry(
 	struct composer *composer, uint32_t index, struct tcs_fault *fault)
@@ -344,40 +347,49 @@ place_geometry(
 		&composer->object.geometries.at[index];
 	uint32_t owner = compose_written(composer, geometry->feature);
 	unsigned lod = level_at(composer, owner, geometry->lod);
-	enum tcs_status status;
+	const struct node *node = &composer->nodes.at[owner];
 	uint16_t property;
-	bool flat;
 
 	if (place_address(composer, index))
 		return TCS_OK;
 	if (lod == LOD_LOST)
-		return lose_geometry(composer, geometry,
-			"another level of detail has its place", fault);
-	property = find_property(composer, owner, geometry, lod, false);
-	if (property == SCHEMA_NONE && is_surfaces(geometry->kind)) {
-		property = find_property(composer, owner, geometry, lod, true);
+		return shelter_geometry(composer, index, owner, true, fault);
+	property =
+		place_find(composer, node->class, node->taken, geometry, lod);
+	if (property != SCHEMA_NONE)
+		return place_geometry_at(
+			composer, index, owner, property, lod, fault);
+	if (is_surfaces(geometry->kind)) {
+		property = place_find(composer, node->class, 0, geometry, lod);
 		if (property != SCHEMA_NONE)
 			return merge_geometry(
 				composer, owner, property, geometry, fault);
 	}
-	if (property == SCHEMA_NONE)
-		return lose_geometry(composer, geometry,
-			"this version has no place for it", fault);
-	composer->nodes.at[owner].taken |= (uint64_t)1 << property;
-	status = item_add(
-		composer, owner, property, ITEM_GEOMETRY, index, fault);
-	flat = geometry->kind == TCS_MULTI_CURVE ||
-		geometry->kind == TCS_MULTI_POINT || lod > 4 ||
-		(lod < 2 && (geometry->flags & TCS_GEOMETRY_SIMPLIFIED));
-	for (uint32_t i = 0; i < geometry->polygon_count && !status; i++) {
-		composer->owners.at[geometry->first_polygon + i] = index;
-		status = place_polygon(composer, geometry->first_polygon + i,
-			owner, lod, flat, fault);
-	}
-	return status;
+	return shelter_geometry(composer, index, owner, false, fault);
 }
 
 /* ---- the rest ------------------------------------------------------------------ */
+
+uint16_t
+place_find_instance(
+	const struct schema_class *class, uint64_t taken, unsigned lod)
+{
+	unsigned least = 16;
+	uint16_t found = SCHEMA_NONE;
+
+	for (uint16_t i = 0; i < class->count; i++) {
+		const struct property *property = &class->properties[i];
+		unsigned apart = property->lod > lod ? property->lod - lod
+						     : lod - property->lod;
+
+		if (property->content == CONTENT_IMPLICIT &&
+			!(taken >> i & 1) && apart < least) {
+			least = apart;
+			found = i;
+		}
+	}
+	return found;
+}
 
 static enum tcs_status
 place_instance(
@@ -388,24 +400,10 @@ place_instance(
 	uint32_t feature = compose_written(composer, instance->feature);
 	struct node *node = &composer->nodes.at[feature];
 	unsigned lod = level_at(composer, feature, instance->lod);
-	unsigned least = 16;
-	uint16_t found = SCHEMA_NONE;
+	uint16_t found = place_find_instance(node->class, node->taken, lod);
 
-	for (uint16_t i = 0; i < node->class->count; i++) {
-		const struct property *property = &node->class->properties[i];
-		unsigned apart = property->lod > lod ? property->lod - lod
-						     : lod - property->lod;
-
-		if (property->content == CONTENT_IMPLICIT &&
-			!(node->taken >> i & 1) && apart < least) {
-			least = apart;
-			found = i;
-		}
-	}
 	if (found == SCHEMA_NONE)
-		return compose_note(composer, REPORT_SKIPPED,
-			"implicit geometry", "this version has no place for it",
-			compose_text(composer, instance->id), fault);
+		return shelter_instance(composer, index, feature, fault);
 	node->taken |= (uint64_t)1 << found;
 	if (node->class->properties[found].lod != lod) {
 		enum tcs_status status = compose_note(composer, REPORT_NOTE,
@@ -530,6 +528,7 @@ place_items(struct composer *composer, struct tcs_fault *fault)
 		status = pieces_name(composer, fault);
 	if (status)
 		return status;
+	shelters_name(composer);
 	sort_items(composer);
 	for (uint32_t i = 0; i < composer->nodes.count && !status; i++)
 		if (!composer->nodes.at[i].melted)

@@ -69,13 +69,6 @@ version_bit(const struct composer *composer)
 	return 1u << composer->plan->schema.version;
 }
 
-static unsigned
-generic_class(const struct composer *composer)
-{
-	return compose_is_3(composer) ? TCS_CLASS_GenericOccupiedSpace
-				      : TCS_CLASS_GenericCityObject;
-}
-
 /* The n-th class to try, the first being the class itself; Unknown at the
  * end. */
 static unsigned
@@ -150,7 +143,7 @@ stand_alone(struct composer *composer, uint32_t feature, unsigned class,
 		try = candidate(composer, class, n);
 	}
 	if (try == TCS_CLASS_Unknown)
-		try = generic_class(composer);
+		try = shelter_class(composer);
 	become(composer, node, try);
 	node->property = SCHEMA_NONE;
 	node->spread = try == TCS_CLASS_CityObjectGroup && class != try;
@@ -202,6 +195,45 @@ note_class(struct composer *composer, uint32_t feature, const char *reason,
 		reason, compose_text(composer, given->id), fault);
 }
 
+/* Since 3.0 traffic areas bound a space, in which the traffic is. */
+static unsigned
+space_of(const struct composer *composer, unsigned class)
+{
+	if (!compose_is_3(composer) || composer->plan->from_3)
+		return TCS_CLASS_Unknown;
+	return class == TCS_CLASS_TrafficArea ? TCS_CLASS_TrafficSpace
+		: class == TCS_CLASS_AuxiliaryTrafficArea
+		? TCS_CLASS_AuxiliaryTrafficSpace
+		: TCS_CLASS_Unknown;
+}
+
+/* Puts the space around a traffic area that the parent holds. */
+static enum tcs_status
+plan_space(struct composer *composer, uint32_t feature, struct tcs_fault *fault)
+{
+	const struct node *node = &composer->nodes.at[feature];
+	unsigned space = space_of(composer, node->number);
+	uint32_t parent = node->parent, around;
+	enum tcs_status status;
+	uint16_t property;
+
+	if (space == TCS_CLASS_Unknown)
+		return TCS_OK;
+	property =
+		schema_find_child(composer->nodes.at[parent].class, space, "");
+	if (property == SCHEMA_NONE)
+		return TCS_OK;
+	status = shelter_add(composer, parent, property, space, &around, fault);
+	if (status)
+		return status;
+	composer->nodes.at[around].host = composer->nodes.at[parent].host;
+	composer->nodes.at[feature].parent = around;
+	composer->nodes.at[feature].property =
+		schema_find_child(composer->nodes.at[around].class,
+			composer->nodes.at[feature].number, "");
+	return TCS_OK;
+}
+
 /* A feature below another one. */
 static enum tcs_status
 plan_child(struct composer *composer, uint32_t feature, unsigned class,
@@ -220,8 +252,11 @@ plan_child(struct composer *composer, uint32_t feature, unsigned class,
 				"written as another class", fault);
 		else
 			status = TCS_OK;
+		if (!status)
+			status = plan_space(composer, feature, fault);
 		if (status)
 			return status;
+		node = &composer->nodes.at[feature];
 		return item_add(composer, node->parent, node->property,
 			ITEM_CHILD, feature, fault);
 	}
@@ -370,26 +405,6 @@ join_group(struct composer *composer, uint32_t feature, struct tcs_fault *fault)
 	return item_add(composer, above, property, ITEM_MEMBER, feature, fault);
 }
 
-/* What was taken out of its parent says so. */
-static enum tcs_status
-say_part_of(
-	struct composer *composer, uint32_t feature, struct tcs_fault *fault)
-{
-	struct node *node = &composer->nodes.at[feature];
-	uint16_t generic;
-
-	if (node->melted || node->parent == TCS_NONE ||
-		node->property != SCHEMA_NONE)
-		return TCS_OK;
-	generic = schema_find_content(node->class, CONTENT_GENERIC);
-	if (generic == SCHEMA_NONE)
-		return TCS_OK;
-	if (!composer->nodes.at[node->parent].id)
-		composer->nodes.at[node->parent].id = compose_id(composer, "");
-	return item_add(
-		composer, feature, generic, ITEM_PART_OF, node->parent, fault);
-}
-
 enum tcs_status
 plan_features(struct composer *composer, struct tcs_fault *fault)
 {
@@ -409,6 +424,6 @@ plan_features(struct composer *composer, struct tcs_fault *fault)
 	for (uint32_t i = 0; i < count && !status; i++)
 		status = join_group(composer, i, fault);
 	for (uint32_t i = 0; i < count && !status; i++)
-		status = say_part_of(composer, i, fault);
+		status = shelter_say_part_of(composer, i, fault);
 	return status;
 }

@@ -133,6 +133,9 @@ read_head(struct run *run, struct tcs_fault *fault)
 		return status;
 	run->plan.palette = &run->palette;
 	crs = &run->head.crs.at[0];
+	run->plan.from_3 = run->head.sources.count == 1 &&
+		!strcmp(head_text(&run->head, run->head.sources.at[0].format),
+			"CityGML 3.0");
 	run->plan.north_first = (crs->flags & TCS_CRS_NORTH_FIRST) != 0;
 	run->plan.geographic = crs->kind == TCS_CRS_GEOGRAPHIC;
 	run->plan.metres = crs->metres_per_unit;
