@@ -82,9 +82,10 @@ finish(struct composer *composer, bool inside, const char *before,
 		markup_end(markup, module_of(inside), "genericAttribute");
 }
 
-/* CityGML 1.0 has no sets: names tell where a member was. */
+/* CityGML 1.0 has no sets: names tell where a member was, as they do of a
+ * member that stands alone. */
 static const char *
-name_of(struct composer *composer, uint32_t index)
+name_of(struct composer *composer, uint32_t index, bool inside)
 {
 	const struct tcs_attribute *attributes = composer->object.attributes.at;
 	const char *name = compose_text(composer, attributes[index].name);
@@ -92,7 +93,8 @@ name_of(struct composer *composer, uint32_t index)
 	size_t length;
 	char *text;
 
-	if (is_1_0(composer) && attributes[index].parent != TCS_NONE)
+	if ((is_1_0(composer) || !inside) &&
+		attributes[index].parent != TCS_NONE)
 		space = compose_text(
 			composer, attributes[attributes[index].parent].name);
 	if (!*space)
@@ -186,7 +188,7 @@ enter(struct composer *composer, bool inside, uint32_t index)
 	const struct tcs_attribute *attribute =
 		&composer->object.attributes.at[index];
 	const char *space = compose_text(composer, attribute->code_space);
-	const char *name = name_of(composer, index);
+	const char *name = name_of(composer, index, inside);
 	const char *value = compose_text(composer, attribute->value);
 	struct markup *markup = &composer->out->markup;
 

@@ -130,6 +130,32 @@ role_target(const struct composer *composer, uint32_t set, const char **note)
 		: compose_text(composer, attributes[href].value);
 }
 
+/* GML 3.2 lets a description say why there is none. */
+static bool
+may_be_nil(const struct composer *composer, const struct property *property)
+{
+	return compose_is_3(composer) && !strcmp(property->module, "gml") &&
+		!strcmp(property->name, "description");
+}
+
+/* A member that is an XML attribute, and one that is an element. */
+static bool
+is_xml_attribute(const struct composer *composer, uint32_t member)
+{
+	return *compose_text(composer,
+		       composer->object.attributes.at[member].name) == '@';
+}
+
+static bool
+has_elements(const struct composer *composer, uint32_t set)
+{
+	uint32_t member = composer->first_member.at[set];
+
+	while (member != TCS_NONE && is_xml_attribute(composer, member))
+		member = composer->next_member.at[member];
+	return member != TCS_NONE;
+}
+
 static bool
 fits(struct composer *composer, uint32_t index, const struct property *property)
 {
@@ -139,8 +165,11 @@ fits(struct composer *composer, uint32_t index, const struct property *property)
 	bool by_name;
 
 	if (content_is_simple(property->content))
-		return attribute->type != TCS_SET &&
-			value_as(composer, attribute, property->content);
+		return attribute->type == TCS_SET
+			? may_be_nil(composer, property) &&
+				!has_elements(composer, index)
+			: value_as(composer, attribute, property->content) !=
+				NULL;
 	if (attribute->type != TCS_SET)
 		return false;
 	switch (property->content) {
@@ -153,7 +182,7 @@ fits(struct composer *composer, uint32_t index, const struct property *property)
 		return role_target(composer, index, &note) != NULL;
 	case CONTENT_SET:
 	case CONTENT_GRID:
-		return composer->first_member.at[index] != TCS_NONE;
+		return has_elements(composer, index);
 	default:
 		return false;
 	}
@@ -249,6 +278,31 @@ is_said_by_class(
 		!strcmp(name, "relationToConstruction");
 }
 
+/* XML attributes that the element may not have stand beside it. */
+static enum tcs_status
+place_xml_attributes(struct composer *composer, uint32_t index,
+	const struct property *property, struct tcs_fault *fault)
+{
+	uint32_t member = composer->first_member.at[index];
+	bool nil = may_be_nil(composer, property);
+	enum tcs_status status = TCS_OK;
+
+	if (property->content == CONTENT_MEMBER ||
+		property->content == CONTENT_ROLE)
+		return TCS_OK;
+	for (; member != TCS_NONE && !status;
+		member = composer->next_member.at[member]) {
+		const char *name = compose_text(
+			composer, composer->object.attributes.at[member].name);
+
+		if (is_xml_attribute(composer, member) && strcmp(name, "@id") &&
+			!(nil && !strcmp(name, "@nilReason")))
+			status = place_generic(
+				composer, member, no_place, fault);
+	}
+	return status;
+}
+
 static enum tcs_status
 place_standard(
 	struct composer *composer, uint32_t index, struct tcs_fault *fault)
@@ -259,6 +313,7 @@ place_standard(
 	const struct schema_class *class = composer->nodes.at[feature].class;
 	const char *name = compose_text(composer, attribute->name);
 	enum item_kind kind = ITEM_ATTRIBUTE;
+	enum tcs_status status;
 	uint16_t property;
 
 	if (is_said_by_class(composer, feature, name))
@@ -279,14 +334,15 @@ place_standard(
 	}
 	if (value_is_shortened(
 		    composer, attribute, class->properties[property].content)) {
-		enum tcs_status status =
-			place_generic(composer, index, no_place, fault);
-
+		status = place_generic(composer, index, no_place, fault);
 		if (status)
 			return status;
 	}
-	return item_add(
-		composer, feature, property, ITEM_ATTRIBUTE, index, fault);
+	status = place_xml_attributes(
+		composer, index, &class->properties[property], fault);
+	return status ? status
+		      : item_add(composer, feature, property, ITEM_ATTRIBUTE,
+				index, fault);
 }
 
 static enum tcs_status
@@ -391,11 +447,26 @@ values_place(struct composer *composer, struct tcs_fault *fault)
 /* ---- writing -------------------------------------------------------------------- */
 
 static void
-write_simple(struct composer *composer, const struct tcs_attribute *attribute,
-	const char *module, const struct property *property)
+write_nil_reason(struct composer *composer, uint32_t attribute)
 {
+	uint32_t reason = value_member(composer, attribute, "@nilReason");
+
+	if (reason != TCS_NONE)
+		markup_attribute(&composer->out->markup, "nilReason",
+			compose_text(composer,
+				composer->object.attributes.at[reason].value));
+}
+
+static void
+write_simple(struct composer *composer, uint32_t index, const char *module,
+	const struct property *property)
+{
+	const struct tcs_attribute *attribute =
+		&composer->object.attributes.at[index];
 	struct markup *markup = &composer->out->markup;
-	const char *value = value_as(composer, attribute, property->content);
+	const char *value = attribute->type == TCS_SET
+		? NULL
+		: value_as(composer, attribute, property->content);
 	const char *unit = compose_text(composer, attribute->unit);
 	const char *space = compose_text(composer, attribute->code_space);
 
@@ -411,6 +482,8 @@ write_simple(struct composer *composer, const struct tcs_attribute *attribute,
 		compose_lose(composer, "code space",
 			"the attribute has none in this version",
 			property->name);
+	if (may_be_nil(composer, property))
+		write_nil_reason(composer, index);
 	if (value && *value)
 		markup_text(markup, value);
 	markup_end(markup, module, property->name);
@@ -483,8 +556,7 @@ value_write(struct composer *composer, const struct item *item)
 		return;
 	}
 	if (item->kind == ITEM_MEASURED) {
-		write_simple(composer,
-			&attributes[measured_value(composer, item->index)],
+		write_simple(composer, measured_value(composer, item->index),
 			module, property);
 		return;
 	}
@@ -510,7 +582,6 @@ value_write(struct composer *composer, const struct item *item)
 		markup_end(markup, module, property->name);
 		return;
 	default:
-		write_simple(
-			composer, &attributes[item->index], module, property);
+		write_simple(composer, item->index, module, property);
 	}
 }
