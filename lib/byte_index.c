@@ -2,17 +2,6 @@
 
 #include <string.h>
 
-/* FNV-1a, 64 bits, folded. */
-static size_t
-hash_bytes(const unsigned char *bytes, size_t length)
-{
-	uint64_t hash = UINT64_C(0xcbf29ce484222325);
-
-	for (size_t i = 0; i < length; i++)
-		hash = (hash ^ bytes[i]) * UINT64_C(0x100000001b3);
-	return (size_t)(hash ^ hash >> 32);
-}
-
 static size_t
 byte_index_start(const struct byte_index *index, size_t number)
 {
@@ -25,7 +14,7 @@ byte_index_slot(
 	const struct byte_index *index, const void *bytes, size_t length)
 {
 	size_t mask = index->slots.count - 1;
-	size_t slot = hash_bytes(bytes, length) & mask;
+	size_t slot = (size_t)keyed_hash(&index->key, bytes, length) & mask;
 
 	for (; index->slots.at[slot]; slot = (slot + 1) & mask) {
 		size_t number = index->slots.at[slot] - 1;
@@ -61,6 +50,8 @@ byte_index_widen(struct byte_index *index)
 		return 0;
 	if (index->slots.count)
 		count *= 2;
+	else
+		index->key = hash_key_new();
 	array_clear(&index->slots);
 	if (array_grow(&index->slots, count)) {
 		byte_index_clear(index);

@@ -11,11 +11,13 @@
 
 #include "array.h"
 #include "fault.h"
+#include "keyed_hash.h"
 
 struct byte_index {
 	TCS_ARRAY(char) heap; /* the strings, end to end */
 	TCS_ARRAY(size_t) ends; /* where each one ends in the heap */
 	TCS_ARRAY(uint32_t) slots; /* hash table: number + 1, 0 is free */
+	struct hash_key key; /* of the table, once there is one */
 };
 
 /* The number of a string; INDEX_NONE when it is not there. */

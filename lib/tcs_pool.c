@@ -3,29 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Multiply and fold, eight bytes at a time. */
-static uint32_t
-hash_of(const char *string, size_t length)
-{
-	uint64_t hash = length, word;
-
-	for (; length >= sizeof word; length -= sizeof word) {
-		memcpy(&word, string, sizeof word);
-		hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
-		hash ^= hash >> 32;
-		string += sizeof word;
-	}
-	word = 0;
-	memcpy(&word, string, length);
-	hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
-	return (uint32_t)(hash >> 32);
-}
-
 enum tcs_status
 pool_begin(struct text_pool *pool, struct byte_array *bytes,
 	struct tcs_fault *fault)
 {
-	*pool = (struct text_pool){.bytes = bytes, .base = bytes->count};
+	*pool = (struct text_pool){
+		.bytes = bytes, .base = bytes->count, .key = hash_key_new()};
 	if (array_grow(bytes, 1))
 		return fault_memory(fault);
 	bytes->at[bytes->count++] = '\0';
@@ -90,7 +73,7 @@ pool_intern(struct text_pool *pool, const char *string, tcs_text *out,
 {
 	size_t length = strlen(string);
 	size_t start = pool->bytes->count - pool->base;
-	uint32_t hash = hash_of(string, length);
+	uint32_t hash = (uint32_t)keyed_hash(&pool->key, string, length);
 	struct pool_slot *slot;
 
 	if (pool->used * 2 >= pool->slot_count && pool_widen(pool))

@@ -10,6 +10,7 @@
 
 #include "array.h"
 #include "fault.h"
+#include "keyed_hash.h"
 #include "tcs.h"
 
 struct pool_slot {
@@ -26,6 +27,7 @@ struct text_pool {
 	struct pool_slot *slots;
 	size_t slot_count; /* a power of two, or 0 */
 	size_t used;
+	struct hash_key key;
 };
 
 /* Begin the text behind the bytes there are, with its leading NUL. */

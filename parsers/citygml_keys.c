@@ -19,7 +19,7 @@ static uint32_t *
 slot_of(const struct key_table *table, const char *key)
 {
 	size_t mask = table->slots.count - 1;
-	size_t i = key_hash(key) & mask;
+	size_t i = (size_t)keyed_hash(&table->key, key, strlen(key)) & mask;
 
 	while (table->slots.at[i] &&
 		strcmp(table->keys.at[table->slots.at[i] - 1], key))
@@ -39,6 +39,8 @@ slots_grow(struct key_table *table)
 {
 	size_t room = table->slots.count ? table->slots.count * 2 : 64;
 
+	if (!table->slots.count)
+		table->key = hash_key_new();
 	array_clear(&table->slots);
 	if (array_grow(&table->slots, room))
 		return -1;

@@ -6,11 +6,13 @@
 #include <stdint.h>
 
 #include "array.h"
+#include "keyed_hash.h"
 
 /* All zero is empty. */
 struct key_table {
 	TCS_ARRAY(char *) keys; /* owned; key n came as the n-th */
 	TCS_ARRAY(uint32_t) slots; /* key number + 1; 0: free */
+	struct hash_key key; /* of the slots, once there are any */
 };
 
 /* The number of a key; TCS_NONE when it is not there. */
@@ -22,7 +24,7 @@ enum tcs_status keys_add(struct key_table *table, const char *key,
 
 void keys_release(struct key_table *table);
 
-/* FNV-1a of a string, mixed for masks. */
+/* FNV-1a of a string, for what is compared by its hash. */
 size_t key_hash(const char *key);
 
 #endif

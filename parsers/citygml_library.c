@@ -5,16 +5,6 @@
 
 /* ---- ids ------------------------------------------------------------------- */
 
-static size_t
-id_hash(const char *id)
-{
-	uint64_t hash = 14695981039346656037u;
-
-	for (; *id; id++)
-		hash = (hash ^ (unsigned char)*id) * 1099511628211u;
-	return (size_t)(hash ^ hash >> 32);
-}
-
 void
 index_release(struct id_index *index)
 {
@@ -26,7 +16,7 @@ index_slot(const struct id_index *index, const struct raw_object *raw,
 	const char *id)
 {
 	size_t mask = index->slots.count - 1;
-	size_t i = id_hash(id) & mask;
+	size_t i = (size_t)keyed_hash(&index->key, id, strlen(id)) & mask;
 
 	while (index->slots.at[i]) {
 		const struct raw_target *target =
@@ -51,6 +41,7 @@ index_build(struct id_index *index, const struct raw_object *raw,
 	if (array_grow(&index->slots, room))
 		return fault_memory(fault);
 	index->slots.count = room;
+	index->key = hash_key_new();
 	memset(index->slots.at, 0, room * sizeof *index->slots.at);
 	for (size_t i = 0; i < raw->targets.count; i++) {
 		uint32_t *slot = index_slot(index, raw,

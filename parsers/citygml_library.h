@@ -14,10 +14,12 @@
 
 #include "array.h"
 #include "citygml_raw.h"
+#include "keyed_hash.h"
 
 /* A hash table from ids to target numbers. All zero is empty. */
 struct id_index {
 	TCS_ARRAY(uint32_t) slots; /* target number + 1; 0: free */
+	struct hash_key key; /* of the slots */
 };
 
 void index_release(struct id_index *index);

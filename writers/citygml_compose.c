@@ -129,7 +129,7 @@ compose_lose(struct composer *composer, const char *item, const char *reason,
 static bool
 define(struct composer *composer, const char *id)
 {
-	uint64_t hash = id_hash(id);
+	uint64_t hash = id_hash(&composer->plan->key, id);
 	struct tcs_fault fault;
 	bool added;
 
@@ -180,7 +180,8 @@ numbered(struct composer *composer, const char *base, const char *joint,
 static const char *
 another(struct composer *composer, const char *id)
 {
-	uint64_t *last = id_numbers_at(&composer->numbers, id_hash(id));
+	uint64_t *last = id_numbers_at(
+		&composer->numbers, id_hash(&composer->plan->key, id));
 	uint64_t number;
 	const char *made;
 
@@ -268,7 +269,8 @@ write_href(struct composer *composer, const char *target)
 		out->markup.failed = true;
 		return;
 	}
-	out->linked.at[out->linked.count++] = id_hash(legal);
+	out->linked.at[out->linked.count++] =
+		id_hash(&composer->plan->key, legal);
 	markup_link(&out->markup, "xlink:href", legal);
 }
 

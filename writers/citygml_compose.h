@@ -162,6 +162,7 @@ struct gml_image {
 /* What all workers are told; constant. */
 struct compose_plan {
 	struct schema schema;
+	struct hash_key key; /* of ids */
 	struct gml_palette *palette;
 	bool from_3; /* the source is CityGML 3.0 */
 	bool north_first; /* the source's axis order */

@@ -111,13 +111,16 @@ write_model_id(
 	char id[32] = "CityModel";
 
 	if (*own && id_is_legal(own) &&
-		!id_set_has(&document->ids, id_hash(own))) {
+		!id_set_has(
+			&document->ids, id_hash(&document->plan->key, own))) {
 		markup_attribute(markup, "gml:id", own);
 		return;
 	}
 	if (document->plan->schema.version != GML_3_0)
 		return;
-	for (unsigned i = 2; id_set_has(&document->ids, id_hash(id)); i++)
+	for (unsigned i = 2;
+		id_set_has(&document->ids, id_hash(&document->plan->key, id));
+		i++)
 		snprintf(id, sizeof id, "CityModel_%u", i);
 	markup_attribute(markup, "gml:id", id);
 }

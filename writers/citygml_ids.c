@@ -142,24 +142,11 @@ id_numbers_at(struct id_numbers *numbers, uint64_t hash)
 
 /* ---- hashes ----------------------------------------------------------------- */
 
-/* Multiply and fold, eight bytes at a time. */
 uint64_t
-id_hash(const char *id)
+id_hash(const struct hash_key *key, const char *id)
 {
-	size_t length = strlen(id);
-	uint64_t hash = length, word;
+	uint64_t hash = keyed_hash(key, id, strlen(id));
 
-	for (; length >= sizeof word; length -= sizeof word) {
-		memcpy(&word, id, sizeof word);
-		hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
-		hash ^= hash >> 32;
-		id += sizeof word;
-	}
-	word = 0;
-	memcpy(&word, id, length);
-	hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
-	hash = (hash ^ hash >> 29) * 0xbf58476d1ce4e5b9u;
-	hash ^= hash >> 32;
 	return hash ? hash : 1;
 }
 

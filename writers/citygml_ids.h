@@ -14,6 +14,7 @@
 
 #include "arena.h"
 #include "fault.h"
+#include "keyed_hash.h"
 
 struct id_set {
 	uint64_t *slots; /* 0: free */
@@ -48,8 +49,8 @@ void id_numbers_clear(struct id_numbers *numbers);
  * memory. */
 uint64_t *id_numbers_at(struct id_numbers *numbers, uint64_t hash);
 
-/* Of the text; never 0. */
-uint64_t id_hash(const char *id);
+/* Of the text, under the key of the run; never 0. */
+uint64_t id_hash(const struct hash_key *key, const char *id);
 
 bool id_is_legal(const char *id);
 

@@ -8,7 +8,7 @@ static uint32_t *
 find_slot(struct composer *composer, const char *id)
 {
 	size_t room = composer->slots.count;
-	size_t at = (size_t)id_hash(id) & (room - 1);
+	size_t at = (size_t)id_hash(&composer->plan->key, id) & (room - 1);
 
 	while (composer->slots.at[at] != TCS_NONE &&
 		strcmp(compose_text(composer,
@@ -45,7 +45,7 @@ look_elsewhere(struct composer *composer, struct piece *piece, const char *id,
 
 	if (!legal)
 		return fault_memory(fault);
-	hash = id_hash(legal);
+	hash = id_hash(&composer->plan->key, legal);
 	if (composer->taken && !id_set_has(composer->taken, hash))
 		return TCS_OK;
 	if (array_grow(&composer->out->needed, 1))

@@ -131,6 +131,7 @@ read_head(struct run *run, struct tcs_fault *fault)
 			&run->plan.schema, run->options->version, fault);
 	if (status)
 		return status;
+	run->plan.key = hash_key_new();
 	run->plan.palette = &run->palette;
 	crs = &run->head.crs.at[0];
 	run->plan.from_3 = run->head.sources.count == 1 &&

@@ -1,0 +1,71 @@
+#include "keyed_hash.h"
+
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+__extension__ typedef unsigned __int128 wide;
+
+/* Both halves of a product. */
+static inline uint64_t
+folded(uint64_t a, uint64_t b)
+{
+	wide product = (wide)a * b;
+
+	return (uint64_t)product ^ (uint64_t)(product >> 64);
+}
+
+static inline uint64_t
+word_at(const unsigned char *bytes)
+{
+	uint64_t word;
+
+	memcpy(&word, bytes, sizeof word);
+	return word;
+}
+
+/* Up to eight bytes. */
+static inline uint64_t
+short_word(const unsigned char *bytes, size_t length)
+{
+	uint64_t word = 0;
+
+	for (size_t i = 0; i < length; i++)
+		word = word << 8 | bytes[i];
+	return word;
+}
+
+uint64_t
+keyed_hash(const struct hash_key *key, const void *bytes, size_t length)
+{
+	const unsigned char *at = bytes, *end = at + length;
+	uint64_t hash = key->words[0], last;
+
+	if (length <= 8) {
+		last = short_word(at, length);
+	} else {
+		for (; end - at > 8; at += 8)
+			hash = folded(word_at(at) ^ key->words[1], hash);
+		last = word_at(end - 8);
+	}
+	hash = folded(last ^ key->words[1], hash);
+	return folded(hash ^ length, key->words[1] | 1);
+}
+
+struct hash_key
+hash_key_new(void)
+{
+	struct hash_key key = {{0x9e3779b97f4a7c15u, 0xbf58476d1ce4e5b9u}};
+	struct timespec now = {0, 0};
+	uint64_t seed[5];
+
+	clock_gettime(CLOCK_REALTIME, &now);
+	seed[0] = (uint64_t)now.tv_sec;
+	seed[1] = (uint64_t)now.tv_nsec;
+	seed[2] = (uint64_t)getpid();
+	seed[3] = (uint64_t)(uintptr_t)&key;
+	seed[4] = (uint64_t)(uintptr_t)&hash_key_new;
+	key.words[0] = keyed_hash(&key, seed, sizeof seed);
+	key.words[1] = keyed_hash(&key, seed, sizeof seed);
+	return key;
+}
