@@ -8,7 +8,8 @@
  * schema wants, and written:
  *
  *     citygml_shelter.c    features that are not in the stream
- *     citygml_compose.c    features, from the top down; ids
+ *     citygml_compose.c    features, from the top down
+ *     citygml_naming.c     ids
  *     citygml_values.c     simple and structured attributes
  *     citygml_spelling.c   values as the schema spells them
  *     citygml_generic.c    generic attributes
@@ -277,20 +278,6 @@ enum tcs_status compose_note(struct composer *composer,
 void compose_lose(struct composer *composer, const char *item,
 	const char *reason, const char *id);
 
-/*
- * An id to define: `wanted` made legal and unique, or one made up when it is
- * empty. Registers it. NULL without memory.
- */
-const char *compose_id(struct composer *composer, const char *wanted);
-
-/*
- * An id for a geometry or for what is in it. The original may stand beside a
- * simplified one and keeps its ids; those of the other say which level it is
- * of.
- */
-const char *compose_id_in(struct composer *composer,
-	const struct tcs_geometry *geometry, tcs_text wanted);
-
 /* The feature that is written for one, itself or around it. */
 static inline uint32_t
 compose_written(const struct composer *composer, uint32_t feature)
@@ -306,6 +293,22 @@ struct tcs_point compose_metres(const struct composer *composer);
 /* A property that links to a feature; `note` is the role of a group member. */
 void link_write(struct composer *composer, const struct item *item,
 	const char *target, const char *note);
+
+/* ---- citygml_naming.c ---------------------------------------------------- */
+
+/*
+ * An id to define: `wanted` made legal and unique, or one made up when it is
+ * empty. Registers it. NULL without memory.
+ */
+const char *compose_id(struct composer *composer, const char *wanted);
+
+/*
+ * An id for a geometry or for what is in it. The original may stand beside a
+ * simplified one and keeps its ids; those of the other say which level it is
+ * of.
+ */
+const char *compose_id_in(struct composer *composer,
+	const struct tcs_geometry *geometry, tcs_text wanted);
 
 /* ---- citygml_plan.c, citygml_places.c ------------------------------------ */
 
