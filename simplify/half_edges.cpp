@@ -8,17 +8,7 @@
 #ifndef NDEBUG
 #define NDEBUG
 #endif
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpedantic"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wextra"
-#endif
 #include <OpenMesh/Core/Mesh/ArrayKernel.hh>
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
 
 #include "half_edges.h"
 
