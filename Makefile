@@ -188,7 +188,7 @@ $(node_modules): $(node_lock)
 		--no-audit --no-fund && touch node_modules/.package-lock.json
 
 test-here: all $(unit_tests) $(replays) $(tools) $(generators) $(node_modules)
-	@$(run) unit seeds cases suites
+	@$(run) suites cases seeds unit
 
 unit: $(unit_tests)
 	@$(run) unit
