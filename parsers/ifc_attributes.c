@@ -1,52 +1,32 @@
 #include "ifc_attributes.h"
 
 #include "ifc_features.h"
-#include "ifc_unit_names.h"
 
 enum { NAME = 2, TYPE_PROPERTY_SETS = 5 };
-
-/* Direct attributes that are kept, under their own names; lengths or not. */
-static const struct {
-	const char *name;
-	bool is_length;
-} direct[] = {
-	{"Description", false},
-	{"ObjectType", false},
-	{"LongName", false},
-	{"Tag", false},
-	{"PredefinedType", false},
-	{"Elevation", true},
-	{"RefElevation", true},
-	{"OverallHeight", true},
-	{"OverallWidth", true},
-	{"OperationType", false},
-	{"NumberOfRisers", false},
-	{"NumberOfTreads", false},
-	{"RiserHeight", true},
-	{"TreadLength", true},
-};
 
 static enum tcs_status
 direct_write(
 	struct ifc_saying *saying, uint32_t instance, struct tcs_fault *fault)
 {
 	const struct ifc_model *model = saying->model;
-	const struct ifc_file *file = &model->file;
-	enum ifc_entity entity = ifc_entity_of(file, instance);
-	uint32_t length = ifc_unit_of_type(
-		file, model->unit_assignment, "LENGTHUNIT", 10);
+	const struct step_file *file = &model->step;
+	const struct ifc_direct_places *places =
+		model->direct + step_name_of(file, instance);
+	const char *length =
+		ifc_unit_of_type(&model->project_units, "LENGTHUNIT");
+	struct step_value values[IFC_DIRECT_REACH];
+	struct step_cursor cursor = step_parameters(file, instance);
+	size_t count = step_fetch(&cursor, values, IFC_DIRECT_REACH);
 	enum tcs_status status = TCS_OK;
 
-	for (size_t i = 0; i < sizeof direct / sizeof *direct && !status; i++) {
-		int position =
-			ifc_attribute(file->version, entity, direct[i].name);
-		struct step_value value = ifc_value(file, instance, position);
+	for (int i = 0; i < IFC_DIRECT_ROWS && !status; i++) {
+		const struct ifc_direct_row *row = ifc_direct_rows + i;
+		int at = places->at[i];
 
-		if (position != IFC_NO_POSITION)
+		if (at >= 0 && (size_t)at < count)
 			status = ifc_attribute_value(saying, TCS_NONE,
-				direct[i].name, &value,
-				direct[i].is_length ? length : STEP_NONE,
-				fault);
+				row->name, values + at,
+				row->is_length ? length : NULL, fault);
 	}
 	return status;
 }
@@ -68,7 +48,7 @@ type_write(struct ifc_saying *saying, uint32_t type, bool material,
 	if (!ifc_is_kind(&model->file, type, IFC_TYPEOBJECT))
 		return TCS_OK;
 	status = ifc_attribute_value(
-		saying, TCS_NONE, "Type", &name, STEP_NONE, fault);
+		saying, TCS_NONE, "Type", &name, NULL, fault);
 	while (!status && sets.kind == STEP_LIST &&
 		step_next(&sets.list, &set) > STEP_END)
 		status = ifc_properties_write(
@@ -98,7 +78,7 @@ class_write(
 	if (ifc_entity_of(file, reference) != IFC_CLASSIFICATIONREFERENCE)
 		return TCS_OK;
 	status = ifc_attribute_value(
-		saying, TCS_NONE, "Classification", &value, STEP_NONE, fault);
+		saying, TCS_NONE, "Classification", &value, NULL, fault);
 	if (status || out->attributes.count == before)
 		return status;
 	out->attributes.at[before].type = TCS_CODE;

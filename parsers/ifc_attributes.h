@@ -36,10 +36,10 @@ struct ifc_saying {
 
 /*
  * Append a value under a name; nothing for a value that is unset. `unit` is
- * the unit it names, STEP_NONE for that of its measure.
+ * what its unit is called, NULL for that of its measure.
  */
 enum tcs_status ifc_attribute_value(struct ifc_saying *saying, uint32_t parent,
-	const char *name, const struct step_value *value, uint32_t unit,
+	const char *name, const struct step_value *value, const char *unit,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /*

@@ -20,6 +20,9 @@ ifc_text_add(struct tcs_object *out, const struct step_value *value,
 	*text = 0;
 	if (value->kind != STEP_STRING || !value->length)
 		return TCS_OK;
+	if (step_is_plain(value->text, value->length))
+		return text_append(
+			out, value->text, value->length, text, fault);
 	status = step_decode(
 		&decoded, value->text, value->length, &trouble, fault);
 	if (!status && decoded.count)

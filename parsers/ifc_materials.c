@@ -1,22 +1,23 @@
 #include "ifc_attributes.h"
 #include "ifc_features.h"
-#include "ifc_unit_names.h"
+
+enum { NOWHERE = -1 };
 
 /* Where a definition keeps its list of parts, and a part its material. */
 static const struct {
 	enum ifc_entity entity;
-	const char *parts; /* a list of materials, or of what has one */
-	const char *material; /* the next definition below */
+	int parts; /* a list of materials, or of what has one */
+	int material; /* the next definition below */
 } definitions[] = {
-	{IFC_MATERIALLAYERSETUSAGE, NULL, "ForLayerSet"},
-	{IFC_MATERIALPROFILESETUSAGE, NULL, "ForProfileSet"},
-	{IFC_MATERIALLAYERSET, "MaterialLayers", NULL},
-	{IFC_MATERIALPROFILESET, "MaterialProfiles", NULL},
-	{IFC_MATERIALCONSTITUENTSET, "MaterialConstituents", NULL},
-	{IFC_MATERIALLIST, "Materials", NULL},
-	{IFC_MATERIALLAYER, NULL, "Material"},
-	{IFC_MATERIALPROFILE, NULL, "Material"},
-	{IFC_MATERIALCONSTITUENT, NULL, "Material"},
+	{IFC_MATERIALLAYERSETUSAGE, NOWHERE, 0},
+	{IFC_MATERIALPROFILESETUSAGE, NOWHERE, 0},
+	{IFC_MATERIALLAYERSET, 0, NOWHERE},
+	{IFC_MATERIALPROFILESET, 2, NOWHERE},
+	{IFC_MATERIALCONSTITUENTSET, 2, NOWHERE},
+	{IFC_MATERIALLIST, 0, NOWHERE},
+	{IFC_MATERIALLAYER, NOWHERE, 0},
+	{IFC_MATERIALPROFILE, NOWHERE, 2},
+	{IFC_MATERIALCONSTITUENT, NOWHERE, 2},
 };
 
 enum { MOST_STEPS = 4, LAYER_THICKNESS = 1 };
@@ -28,23 +29,21 @@ material_below(const struct ifc_file *file, uint32_t instance,
 {
 	*parts = (struct step_value){.kind = STEP_END};
 	for (int step = 0; step < MOST_STEPS; step++) {
-		enum ifc_entity entity = ifc_entity_of(file, instance);
 		size_t i = 0, count = sizeof definitions / sizeof *definitions;
 
+		if (ifc_entity_of(file, instance) == IFC_MATERIAL)
+			return instance;
 		while (i < count &&
-			!ifc_is(file->version, entity, definitions[i].entity))
+			!ifc_is_kind(file, instance, definitions[i].entity))
 			i++;
-		if (entity == IFC_NONE || i == count)
-			return entity == IFC_MATERIAL ? instance : STEP_NONE;
-		if (definitions[i].parts) {
-			*parts = ifc_value(file, instance,
-				ifc_attribute(file->version, entity,
-					definitions[i].parts));
+		if (i == count)
+			return STEP_NONE;
+		if (definitions[i].parts != NOWHERE) {
+			*parts =
+				ifc_value(file, instance, definitions[i].parts);
 			return STEP_NONE;
 		}
-		instance = ifc_target(file, instance,
-			ifc_attribute(file->version, entity,
-				definitions[i].material));
+		instance = ifc_target(file, instance, definitions[i].material);
 	}
 	return STEP_NONE;
 }
@@ -55,21 +54,20 @@ part_write(struct ifc_saying *saying, uint32_t part, struct tcs_fault *fault)
 {
 	const struct ifc_model *model = saying->model;
 	struct step_value parts, name, thickness;
-	uint32_t material = material_below(&model->file, part, &parts), unit;
+	uint32_t material = material_below(&model->file, part, &parts);
 	enum tcs_status status;
 
 	if (material == STEP_NONE)
 		return TCS_OK;
 	name = ifc_value(&model->file, material, 0);
 	status = ifc_attribute_value(
-		saying, TCS_NONE, "Material", &name, STEP_NONE, fault);
+		saying, TCS_NONE, "Material", &name, NULL, fault);
 	if (status || !ifc_is_kind(&model->file, part, IFC_MATERIALLAYER))
 		return status;
 	thickness = ifc_value(&model->file, part, LAYER_THICKNESS);
-	unit = ifc_unit_of_type(
-		&model->file, model->unit_assignment, "LENGTHUNIT", 10);
-	return ifc_attribute_value(
-		saying, TCS_NONE, "LayerThickness", &thickness, unit, fault);
+	return ifc_attribute_value(saying, TCS_NONE, "LayerThickness",
+		&thickness,
+		ifc_unit_of_type(&model->project_units, "LENGTHUNIT"), fault);
 }
 
 enum tcs_status

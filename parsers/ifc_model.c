@@ -1,9 +1,8 @@
 #include "ifc_model.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
-
-#include "ifc_unit_names.h"
 
 enum { CONTEXT_PRECISION = 3 };
 
@@ -59,9 +58,13 @@ ifc_model_read(struct ifc_model *model, const char *text, size_t length,
 		status = ifc_styles_read(&model->file, &model->styles, fault);
 	if (!status)
 		status = ifc_links_read(&model->file, &model->links, fault);
+	if (!status)
+		status = ifc_project_units_read(
+			&model->file, &model->project_units, fault);
+	if (!status)
+		status = ifc_direct_read(&model->file, &model->direct, fault);
 	if (status)
 		return status;
-	model->unit_assignment = ifc_unit_assignment(&model->file);
 	model->precision = precision_read(&model->file, model->units.length);
 	return TCS_OK;
 }
@@ -69,6 +72,8 @@ ifc_model_read(struct ifc_model *model, const char *text, size_t length,
 void
 ifc_model_release(struct ifc_model *model)
 {
+	free(model->direct);
+	array_release(&model->project_units);
 	array_release(&model->links);
 	array_release(&model->openings);
 	ifc_styles_release(&model->styles);

@@ -5,11 +5,13 @@
 #ifndef TESSERA_IFC_MODEL_H
 #define TESSERA_IFC_MODEL_H
 
+#include "ifc_direct.h"
 #include "ifc_links.h"
 #include "ifc_objects.h"
 #include "ifc_opening.h"
 #include "ifc_placement.h"
 #include "ifc_style.h"
+#include "ifc_unit_names.h"
 #include "ifc_units.h"
 
 struct ifc_model {
@@ -22,7 +24,8 @@ struct ifc_model {
 	struct ifc_openings openings;
 	struct ifc_styles styles;
 	struct ifc_links links;
-	uint32_t unit_assignment; /* of the project; STEP_NONE */
+	struct ifc_project_units project_units;
+	struct ifc_direct_places *direct; /* by the number of a name; owned */
 	double precision; /* of the file's lengths */
 };
 

@@ -3,16 +3,17 @@
 
 #include "ifc_attributes.h"
 #include "ifc_features.h"
-#include "ifc_unit_names.h"
 #include "step_string.h"
 
 enum { SET_NAME = 2 };
 
-enum { PROPERTY_NAME = 0, MOST_DEPTH = 4 };
+enum { PROPERTY_NAME = 0, PROPERTY_VALUES = 5, MOST_DEPTH = 4 };
 
+/* Positions, all below PROPERTY_VALUES. */
 enum { SINGLE_VALUE = 2, SINGLE_UNIT = 3 };
-
+enum { BOUNDED_UPPER = 2, BOUNDED_UNIT = 4 };
 enum { QUANTITY_UNIT = 2, QUANTITY_VALUE = 3 };
+enum { COMPLEX_QUANTITIES = 2, COMPLEX_PROPERTIES = 3 };
 
 /* ---- values -------------------------------------------------------------- */
 
@@ -90,15 +91,23 @@ list_fill(const struct step_value *list, struct tcs_object *out,
 	return status;
 }
 
+/* What the unit of a measure is called; "" for a number without. */
+static const char *
+unit_of(const struct ifc_saying *saying, const struct step_value *value)
+{
+	if (value->kind != STEP_TYPED)
+		return "";
+	return ifc_unit_of_measure(
+		&saying->model->project_units, value->text, value->length);
+}
+
 /* The type, value, number and unit; *unset where there is no value. */
 static enum tcs_status
 value_fill(const struct ifc_saying *saying, const struct step_value *value,
-	uint32_t unit, struct tcs_attribute *to, bool *unset,
+	const char *unit, struct tcs_attribute *to, bool *unset,
 	struct tcs_fault *fault)
 {
-	const struct ifc_file *file = &saying->model->file;
 	struct step_value inner = step_untyped(value);
-	char name[IFC_UNIT_ROOM] = "";
 
 	to->type = TCS_STRING;
 	to->number = NAN;
@@ -110,13 +119,8 @@ value_fill(const struct ifc_saying *saying, const struct step_value *value,
 		return truth_fill(&inner, saying->out, to, fault);
 	case STEP_INTEGER:
 	case STEP_REAL:
-		if (unit == STEP_NONE && value->kind == STEP_TYPED)
-			unit = ifc_unit_of_measure(file,
-				saying->model->unit_assignment, value->text,
-				value->length);
-		if (unit != STEP_NONE)
-			ifc_unit_name(file, unit, name);
-		return number_fill(&inner, name, saying->out, to, fault);
+		return number_fill(&inner, unit ? unit : unit_of(saying, value),
+			saying->out, to, fault);
 	case STEP_LIST:
 		return list_fill(&inner, saying->out, to, fault);
 	default:
@@ -139,7 +143,7 @@ attribute_push(const struct ifc_saying *saying, struct tcs_attribute attribute,
 
 enum tcs_status
 ifc_attribute_value(struct ifc_saying *saying, uint32_t parent,
-	const char *name, const struct step_value *value, uint32_t unit,
+	const char *name, const struct step_value *value, const char *unit,
 	struct tcs_fault *fault)
 {
 	struct tcs_attribute attribute = {.parent = parent};
@@ -187,19 +191,18 @@ attribute_find(const struct ifc_saying *saying, uint32_t parent, tcs_text name)
 
 /* A name that is said already is passed over: false in *fresh. */
 static enum tcs_status
-name_take(const struct ifc_saying *saying, uint32_t parent, uint32_t property,
-	tcs_text *name, bool *fresh, struct tcs_fault *fault)
+name_take(const struct ifc_saying *saying, uint32_t parent,
+	const struct step_value *value, tcs_text *name, bool *fresh,
+	struct tcs_fault *fault)
 {
-	struct step_value value =
-		ifc_value(&saying->model->file, property, PROPERTY_NAME);
-	enum tcs_status status = ifc_text_add(saying->out, &value, name, fault);
+	enum tcs_status status = ifc_text_add(saying->out, value, name, fault);
 
 	*fresh = !status && *name &&
 		attribute_find(saying, parent, *name) == TCS_NONE;
 	return status;
 }
 
-/* The type of unit that a quantity has where it names none; "" for a count. */
+/* The type of unit that a quantity has where it names none; NULL: a count. */
 static const char *
 quantity_unit(enum ifc_entity entity)
 {
@@ -215,13 +218,14 @@ quantity_unit(enum ifc_entity entity)
 	case IFC_QUANTITYTIME:
 		return "TIMEUNIT";
 	default:
-		return "";
+		return NULL;
 	}
 }
 
 static enum tcs_status
 named_value(struct ifc_saying *saying, uint32_t parent, tcs_text name,
-	const struct step_value *value, uint32_t unit, struct tcs_fault *fault)
+	const struct step_value *value, const char *unit,
+	struct tcs_fault *fault)
 {
 	struct tcs_attribute attribute = {.parent = parent, .name = name};
 	enum tcs_status status;
@@ -232,23 +236,50 @@ named_value(struct ifc_saying *saying, uint32_t parent, tcs_text name,
 			       : attribute_push(saying, attribute, fault);
 }
 
+/* What the unit that a value refers to is called; NULL: it refers to none. */
+static const char *
+unit_named(const struct ifc_saying *saying, const struct step_value *value,
+	char room[IFC_UNIT_ROOM])
+{
+	const struct ifc_file *file = &saying->model->file;
+	uint32_t unit = step_target(file->step, value);
+
+	if (unit == STEP_NONE)
+		return NULL;
+	ifc_unit_name(file, unit, room);
+	return room;
+}
+
 static enum tcs_status
-bounds_write(struct ifc_saying *saying, uint32_t parent, uint32_t property,
-	tcs_text name, struct tcs_fault *fault)
+bounds_write(struct ifc_saying *saying, uint32_t parent,
+	const struct step_value *values, tcs_text name, struct tcs_fault *fault)
 {
 	static const char *const names[] = {"Upper", "Lower"};
-	const struct ifc_file *file = &saying->model->file;
-	uint32_t set, unit = ifc_target(file, property, 4);
+	char room[IFC_UNIT_ROOM];
+	const char *unit = unit_named(saying, values + BOUNDED_UNIT, room);
+	uint32_t set;
 	enum tcs_status status =
 		attribute_set(saying, parent, name, &set, fault);
 
-	for (int i = 0; i < 2 && !status; i++) {
-		struct step_value value = ifc_value(file, property, 2 + i);
-
-		status = ifc_attribute_value(
-			saying, set, names[i], &value, unit, fault);
-	}
+	for (int i = 0; i < 2 && !status; i++)
+		status = ifc_attribute_value(saying, set, names[i],
+			values + BOUNDED_UPPER + i, unit, fault);
 	return status;
+}
+
+static enum tcs_status
+quantity_write(struct ifc_saying *saying, uint32_t parent,
+	enum ifc_entity entity, const struct step_value *values, tcs_text name,
+	struct tcs_fault *fault)
+{
+	const char *type = quantity_unit(entity);
+	char room[IFC_UNIT_ROOM];
+	const char *unit = unit_named(saying, values + QUANTITY_UNIT, room);
+
+	if (!unit && type)
+		unit = ifc_unit_of_type(&saying->model->project_units, type);
+	return named_value(
+		saying, parent, name, values + QUANTITY_VALUE, unit, fault);
 }
 
 static enum tcs_status properties_list(struct ifc_saying *saying,
@@ -258,47 +289,41 @@ static enum tcs_status properties_list(struct ifc_saying *saying,
 /* One property or quantity with a name that is new. */
 static enum tcs_status
 property_write(struct ifc_saying *saying, uint32_t parent, uint32_t property,
-	tcs_text name, unsigned depth, struct tcs_fault *fault)
+	const struct step_value *values, tcs_text name, unsigned depth,
+	struct tcs_fault *fault)
 {
 	const struct ifc_file *file = &saying->model->file;
 	enum ifc_entity entity = ifc_entity_of(file, property);
-	struct step_value value = ifc_value(file, property, SINGLE_VALUE);
-	uint32_t unit = ifc_target(file, property, SINGLE_UNIT), set;
 	enum tcs_status status;
+	char room[IFC_UNIT_ROOM];
+	uint32_t set;
 
-	if (ifc_is(file->version, entity, IFC_PHYSICALSIMPLEQUANTITY)) {
-		const char *type = quantity_unit(entity);
-
-		value = ifc_value(file, property, QUANTITY_VALUE);
-		unit = ifc_target(file, property, QUANTITY_UNIT);
-		if (unit == STEP_NONE && *type)
-			unit = ifc_unit_of_type(file,
-				saying->model->unit_assignment, type,
-				strlen(type));
-		return named_value(saying, parent, name, &value, unit, fault);
-	}
 	switch (entity) {
 	case IFC_PROPERTYSINGLEVALUE:
 	case IFC_PROPERTYLISTVALUE:
-		return named_value(saying, parent, name, &value, unit, fault);
+		return named_value(saying, parent, name, values + SINGLE_VALUE,
+			unit_named(saying, values + SINGLE_UNIT, room), fault);
 	case IFC_PROPERTYENUMERATEDVALUE:
-		return named_value(
-			saying, parent, name, &value, STEP_NONE, fault);
+		return named_value(saying, parent, name, values + SINGLE_VALUE,
+			NULL, fault);
 	case IFC_PROPERTYBOUNDEDVALUE:
-		return bounds_write(saying, parent, property, name, fault);
+		return bounds_write(saying, parent, values, name, fault);
 	case IFC_COMPLEXPROPERTY:
 	case IFC_PHYSICALCOMPLEXQUANTITY:
 		if (depth == MOST_DEPTH)
 			return TCS_OK;
 		status = attribute_set(saying, parent, name, &set, fault);
-		if (status)
-			return status;
-		return properties_list(saying, set,
-			ifc_value(file, property,
-				entity == IFC_COMPLEXPROPERTY ? 3 : 2),
-			depth + 1, fault);
+		return status ? status
+			      : properties_list(saying, set,
+					values[entity == IFC_COMPLEXPROPERTY
+							? COMPLEX_PROPERTIES
+							: COMPLEX_QUANTITIES],
+					depth + 1, fault);
 	default:
-		return TCS_OK;
+		if (!ifc_is_kind(file, property, IFC_PHYSICALSIMPLEQUANTITY))
+			return TCS_OK;
+		return quantity_write(
+			saying, parent, entity, values, name, fault);
 	}
 }
 
@@ -315,14 +340,21 @@ properties_list(struct ifc_saying *saying, uint32_t parent,
 		step_next(&list.list, &item) > STEP_END) {
 		uint32_t property =
 			step_target(saying->model->file.step, &item);
+		struct step_value values[PROPERTY_VALUES] = {
+			{.kind = STEP_END}};
+		struct step_cursor cursor;
 		tcs_text name;
 		bool fresh;
 
-		status = name_take(
-			saying, parent, property, &name, &fresh, fault);
+		if (property == STEP_NONE)
+			continue;
+		cursor = step_parameters(saying->model->file.step, property);
+		step_fetch(&cursor, values, PROPERTY_VALUES);
+		status = name_take(saying, parent, values + PROPERTY_NAME,
+			&name, &fresh, fault);
 		if (!status && fresh)
-			status = property_write(
-				saying, parent, property, name, depth, fault);
+			status = property_write(saying, parent, property,
+				values, name, depth, fault);
 	}
 	return status;
 }

@@ -15,7 +15,7 @@ static const struct symbol prefixes[] = {{"EXA", "E"}, {"PETA", "P"},
 	{"MILLI", "m"}, {"MICRO", "u"}, {"NANO", "n"}, {"PICO", "p"},
 	{"FEMTO", "f"}, {"ATTO", "a"}};
 
-static const struct symbol units[] = {{"METRE", "m"}, {"SQUARE_METRE", "m2"},
+static const struct symbol symbols[] = {{"METRE", "m"}, {"SQUARE_METRE", "m2"},
 	{"CUBIC_METRE", "m3"}, {"GRAM", "g"}, {"SECOND", "s"},
 	{"RADIAN", "rad"}, {"STERADIAN", "sr"}, {"KELVIN", "K"},
 	{"DEGREE_CELSIUS", "Cel"}, {"AMPERE", "A"}, {"MOLE", "mol"},
@@ -47,7 +47,7 @@ named_unit(const struct ifc_file *file, uint32_t unit, char out[IFC_UNIT_ROOM])
 	*out = '\0';
 	if (ifc_entity_of(file, unit) == IFC_SIUNIT) {
 		snprintf(out, IFC_UNIT_ROOM, "%s%s", SYMBOL(prefixes, &prefix),
-			SYMBOL(units, &name));
+			SYMBOL(symbols, &name));
 		return;
 	}
 	if (!ifc_is_kind(file, unit, IFC_CONVERSIONBASEDUNIT))
@@ -123,45 +123,77 @@ ifc_unit_name(
 		*out = '\0';
 }
 
-uint32_t
-ifc_unit_assignment(const struct ifc_file *file)
+static enum tcs_status
+unit_add(const struct ifc_file *file, uint32_t unit,
+	struct ifc_project_units *out, struct tcs_fault *fault)
+{
+	struct step_value type = ifc_value(file, unit, UNIT_TYPE);
+	struct ifc_project_unit *to;
+
+	if (type.kind != STEP_ENUMERATION)
+		return TCS_OK;
+	if (array_grow(out, 1))
+		return fault_memory(fault);
+	to = out->at + out->count++;
+	to->type = type.text;
+	to->length = type.length;
+	ifc_unit_name(file, unit, to->name);
+	return TCS_OK;
+}
+
+enum tcs_status
+ifc_project_units_read(const struct ifc_file *file,
+	struct ifc_project_units *out, struct tcs_fault *fault)
 {
 	struct step_list projects = step_instances(
 		file->step, step_names_find(&file->step->names, "IFCPROJECT"));
+	enum tcs_status status = TCS_OK;
+	struct step_value list, item;
+	uint32_t assignment;
 
 	if (!projects.count)
-		return STEP_NONE;
-	return ifc_target(file, projects.at[0],
+		return TCS_OK;
+	assignment = ifc_target(file, projects.at[0],
 		ifc_attribute(file->version, IFC_PROJECT, "UnitsInContext"));
+	list = ifc_value(file, assignment, 0);
+	while (!status && list.kind == STEP_LIST &&
+		step_next(&list.list, &item) > STEP_END)
+		status = unit_add(
+			file, step_target(file->step, &item), out, fault);
+	return status;
 }
 
-uint32_t
-ifc_unit_of_type(const struct ifc_file *file, uint32_t assignment,
-	const char *type, size_t length)
+/* The first unit whose type is `type` and then `tail`. */
+static const char *
+unit_find(const struct ifc_project_units *units, const char *type,
+	size_t length, const char *tail)
 {
-	struct step_value list = ifc_value(file, assignment, 0), item;
+	size_t behind = strlen(tail);
 
-	while (list.kind == STEP_LIST &&
-		step_next(&list.list, &item) > STEP_END) {
-		uint32_t unit = step_target(file->step, &item);
-		struct step_value its = ifc_value(file, unit, UNIT_TYPE);
+	for (size_t i = 0; i < units->count; i++) {
+		const struct ifc_project_unit *unit = units->at + i;
 
-		if (its.kind == STEP_ENUMERATION && its.length == length &&
-			!memcmp(its.text, type, length))
-			return unit;
+		if (unit->length == length + behind &&
+			!memcmp(unit->type, type, length) &&
+			!memcmp(unit->type + length, tail, behind))
+			return unit->name;
 	}
-	return STEP_NONE;
+	return "";
 }
 
-uint32_t
-ifc_unit_of_measure(const struct ifc_file *file, uint32_t assignment,
-	const char *measure, size_t length)
+const char *
+ifc_unit_of_type(const struct ifc_project_units *units, const char *type)
+{
+	return unit_find(units, type, strlen(type), "");
+}
+
+const char *
+ifc_unit_of_measure(const struct ifc_project_units *units, const char *measure,
+	size_t length)
 {
 	static const char *const before[] = {"IFC", "POSITIVE", "NONNEGATIVE"};
 	static const char behind[] = "MEASURE";
 	const size_t tail = sizeof behind - 1;
-	char type[IFC_UNIT_ROOM];
-	int printed;
 
 	for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
 		size_t head = strlen(before[i]);
@@ -172,10 +204,6 @@ ifc_unit_of_measure(const struct ifc_file *file, uint32_t assignment,
 		}
 	}
 	if (length <= tail || memcmp(measure + length - tail, behind, tail))
-		return STEP_NONE;
-	printed = snprintf(
-		type, sizeof type, "%.*sUNIT", (int)(length - tail), measure);
-	if (printed < 0 || (size_t)printed >= sizeof type)
-		return STEP_NONE;
-	return ifc_unit_of_type(file, assignment, type, (size_t)printed);
+		return "";
+	return unit_find(units, measure, length - tail, "UNIT");
 }

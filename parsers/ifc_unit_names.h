@@ -16,20 +16,29 @@
 void ifc_unit_name(
 	const struct ifc_file *file, uint32_t unit, char out[IFC_UNIT_ROOM]);
 
-/* The units of the project: STEP_NONE for a file without. */
-uint32_t ifc_unit_assignment(const struct ifc_file *file);
+/* A unit of the project. */
+struct ifc_project_unit {
+	const char *type; /* "LENGTHUNIT", in the file's text */
+	size_t length; /* of the type */
+	char name[IFC_UNIT_ROOM];
+};
+
+/* All zero is none. */
+TCS_ARRAY_TYPE(ifc_project_units, struct ifc_project_unit);
+
+/* The units that the project assigns. Fails with TCS_NO_MEMORY. */
+enum tcs_status ifc_project_units_read(const struct ifc_file *file,
+	struct ifc_project_units *out, struct tcs_fault *fault) TCS_CHECKED;
 
 /*
- * The project's unit of a type, "LENGTHUNIT"; STEP_NONE where there is none.
+ * What the project's unit of a type, "LENGTHUNIT", is called; "" where it has
+ * none.
  */
-uint32_t ifc_unit_of_type(const struct ifc_file *file, uint32_t assignment,
-	const char *type, size_t length);
+const char *ifc_unit_of_type(
+	const struct ifc_project_units *units, const char *type);
 
-/*
- * The project's unit for a measure, "IFCPOSITIVELENGTHMEASURE"; STEP_NONE
- * where there is none.
- */
-uint32_t ifc_unit_of_measure(const struct ifc_file *file, uint32_t assignment,
+/* The same of a measure, "IFCPOSITIVELENGTHMEASURE". */
+const char *ifc_unit_of_measure(const struct ifc_project_units *units,
 	const char *measure, size_t length);
 
 #endif

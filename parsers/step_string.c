@@ -1,6 +1,5 @@
 #include "step_string.h"
 
-#include <stdbool.h>
 #include <string.h>
 
 #include "utf8.h"
@@ -197,6 +196,20 @@ decode_one(struct decoding *text)
 			*text->out++ = (char)byte;
 		text->at += byte == '\'' && begins(text, "''") ? 2 : 1;
 	}
+}
+
+bool
+step_is_plain(const char *string, size_t length)
+{
+	bool plain = true;
+
+	for (size_t i = 0; i < length; i++) {
+		unsigned char byte = (unsigned char)string[i];
+
+		plain &= byte >= ' ' && byte < 0x7f && byte != '\\' &&
+			byte != '\'';
+	}
+	return plain;
 }
 
 /*

@@ -17,6 +17,7 @@
 #ifndef TESSERA_STEP_STRING_H
 #define TESSERA_STEP_STRING_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -40,6 +41,9 @@ enum step_trouble {
  */
 enum tcs_status step_decode(struct step_text *out, const char *string,
 	size_t length, unsigned *trouble, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Whether the string decodes to what it is: nothing but printable ASCII. */
+bool step_is_plain(const char *string, size_t length);
 
 /* U+00A0 to U+00FF of ISO 8859-1 … 8859-9; 0 where there is no character. */
 extern const uint16_t step_pages[9][96];

@@ -33,12 +33,13 @@ seconds_order(const void *left, const void *right)
 static enum tcs_status
 convert(const char *name, FILE *nowhere, struct report *report)
 {
+	char arguments[] = "";
 	const struct program program = {.name = "ifc_bare"};
 	const struct command command = {.program = &program,
 		.input = name,
 		.jobs = 1,
 		.quiet = true,
-		.arguments = ""};
+		.arguments = arguments};
 	const struct ifc_options options = {.deflection = 0.001};
 	struct tcs_fault fault;
 	struct input input = {.name = NULL};
