@@ -56,7 +56,9 @@ struct tcs_array {
 #define array_release(array) array_release_bytes((array))
 
 /* Forget the elements, keep the room. A lent array becomes empty. */
-#define array_clear(array) array_clear_bytes((array))
+#define array_clear(array) \
+	((array)->room ? (void)((array)->count = 0) \
+		       : array_clear_bytes((array)))
 
 /*
  * Forget the elements, and give back the memory where it is more than 1 MB: for

@@ -59,10 +59,20 @@ enum ifc_outcome ifc_piece_marks(struct ifc_shaper *shaper, uint32_t segment,
 bool ifc_distance_read(const struct step_value *value, double *out);
 
 /*
+ * The alignment read last: things are placed along the same one by thousands.
+ * All zero is none; release `marks`.
+ */
+struct ifc_alignment_kept {
+	uint32_t curve;
+	struct ifc_alignment marks; /* none: nothing is kept */
+};
+
+/*
  * The matrix of an IfcAxis2PlacementLinear in the coordinates of its curve.
- * Directions that are not given are those of the curve.
+ * Directions that are not given are those of the curve. `kept` belongs to one
+ * file, and to a shaper that does not change.
  */
 enum ifc_outcome ifc_linear_axes(struct ifc_shaper *shaper, uint32_t placement,
-	struct ifc_matrix *out) TCS_CHECKED;
+	struct ifc_alignment_kept *kept, struct ifc_matrix *out) TCS_CHECKED;
 
 #endif

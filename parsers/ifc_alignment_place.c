@@ -22,13 +22,28 @@ offset(const struct ifc_file *file, uint32_t point, int position)
 	return step_number(&value, &out) ? out : 0;
 }
 
+static enum ifc_outcome
+alignment_keep(struct ifc_shaper *shaper, uint32_t curve,
+	struct ifc_alignment_kept *kept)
+{
+	enum ifc_outcome outcome;
+
+	if (kept->marks.count && kept->curve == curve)
+		return IFC_SHAPED;
+	kept->curve = curve;
+	outcome = ifc_alignment_read(shaper, curve, &kept->marks);
+	if (outcome)
+		array_clear(&kept->marks);
+	return outcome;
+}
+
 /* The axes of the curve at a point, moved by its offsets. */
 static enum ifc_outcome
-point_axes(struct ifc_shaper *shaper, uint32_t point, struct ifc_matrix *out)
+point_axes(struct ifc_shaper *shaper, uint32_t point,
+	struct ifc_alignment_kept *kept, struct ifc_matrix *out)
 {
 	const struct ifc_file *file = shaper->file;
 	struct step_value along = ifc_value(file, point, DISTANCE);
-	struct ifc_alignment marks = {.count = 0};
 	enum ifc_outcome outcome;
 	struct ifc_mark mark;
 	struct tcs_point at;
@@ -37,21 +52,20 @@ point_axes(struct ifc_shaper *shaper, uint32_t point, struct ifc_matrix *out)
 	if (ifc_entity_of(file, point) != IFC_POINTBYDISTANCEEXPRESSION ||
 		!ifc_distance_read(&along, &distance))
 		return ifc_refuse(shaper, point, "not a place along a curve");
-	outcome = ifc_alignment_read(
-		shaper, ifc_target(file, point, BASIS_CURVE), &marks);
-	if (!outcome) {
-		mark = ifc_alignment_at(&marks, distance);
-		*out = ifc_mark_axes(&mark);
-		at = ifc_transform(out,
-			(struct tcs_point){offset(file, point, LONGITUDINAL),
-				offset(file, point, LATERAL),
-				offset(file, point, VERTICAL)});
-		out->at[3] = at.x;
-		out->at[7] = at.y;
-		out->at[11] = at.z;
-	}
-	array_release(&marks);
-	return outcome;
+	outcome = alignment_keep(
+		shaper, ifc_target(file, point, BASIS_CURVE), kept);
+	if (outcome)
+		return outcome;
+	mark = ifc_alignment_at(&kept->marks, distance);
+	*out = ifc_mark_axes(&mark);
+	at = ifc_transform(out,
+		(struct tcs_point){offset(file, point, LONGITUDINAL),
+			offset(file, point, LATERAL),
+			offset(file, point, VERTICAL)});
+	out->at[3] = at.x;
+	out->at[7] = at.y;
+	out->at[11] = at.z;
+	return IFC_SHAPED;
 }
 
 /* Turn the axes to a direction z and, as near as can be, a direction x. */
@@ -81,8 +95,8 @@ axes_turn(struct tcs_point z, struct tcs_point x, struct ifc_matrix *out)
 }
 
 enum ifc_outcome
-ifc_linear_axes(
-	struct ifc_shaper *shaper, uint32_t placement, struct ifc_matrix *out)
+ifc_linear_axes(struct ifc_shaper *shaper, uint32_t placement,
+	struct ifc_alignment_kept *kept, struct ifc_matrix *out)
 {
 	const struct ifc_file *file = shaper->file;
 	enum ifc_outcome outcome;
@@ -92,8 +106,8 @@ ifc_linear_axes(
 	if (ifc_entity_of(file, placement) != IFC_AXIS2PLACEMENTLINEAR)
 		return ifc_refuse(
 			shaper, placement, "not a placement along a curve");
-	outcome =
-		point_axes(shaper, ifc_target(file, placement, LOCATION), out);
+	outcome = point_axes(
+		shaper, ifc_target(file, placement, LOCATION), kept, out);
 	if (outcome)
 		return outcome;
 	x = (struct tcs_point){out->at[0], out->at[4], out->at[8]};

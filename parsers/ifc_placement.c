@@ -18,6 +18,7 @@ struct resolving {
 	struct ifc_placements *placements;
 	struct report *report;
 	struct ifc_shaper shaper; /* for those along curves */
+	struct ifc_alignment_kept alignment;
 	unsigned char *states;
 	uint32_t *chain; /* indices, from the first asked for up to the root */
 	int parent_at, relative_at, cartesian_at;
@@ -104,7 +105,7 @@ own_matrix(struct resolving *resolving, const struct ifc_placement *placement,
 		resolving->shaper.points = 0;
 		if (!ifc_linear_axes(&resolving->shaper,
 			    ifc_target(file, instance, resolving->relative_at),
-			    out))
+			    &resolving->alignment, out))
 			return NULL;
 		return "along a curve that is not known";
 	case IFC_GRIDPLACEMENT:
@@ -278,6 +279,7 @@ ifc_placements_read(const struct ifc_file *file, struct ifc_placements *out,
 		status = fault_memory(fault);
 	for (uint32_t i = 0; i < out->count && !status; i++)
 		status = chain_resolve(&resolving, i, fault);
+	array_release(&resolving.alignment.marks);
 	free(resolving.states);
 	free(resolving.chain);
 	return status;

@@ -13,6 +13,7 @@ struct sections {
 	TCS_ARRAY(struct ifc_faces) profiles;
 	TCS_ARRAY(struct ifc_matrix) places;
 	TCS_ARRAY(double) distances; /* along a directrix */
+	struct ifc_alignment_kept alignment;
 };
 
 static void
@@ -23,6 +24,7 @@ sections_release(struct sections *sections)
 	array_release(&sections->profiles);
 	array_release(&sections->places);
 	array_release(&sections->distances);
+	array_release(&sections->alignment.marks);
 }
 
 /* Whether two profiles have the same rings. */
@@ -79,7 +81,8 @@ linear_add(struct ifc_shaper *shaper, uint32_t place, struct sections *out)
 	struct step_value value =
 		ifc_value(file, ifc_target(file, place, LOCATION), DISTANCE);
 	struct ifc_matrix axes, *matrix;
-	enum ifc_outcome outcome = ifc_linear_axes(shaper, place, &axes);
+	enum ifc_outcome outcome =
+		ifc_linear_axes(shaper, place, &out->alignment, &axes);
 	double distance = 0;
 
 	if (outcome)

@@ -104,18 +104,30 @@ normal_choose(struct tcs_point normal, const struct tcs_point *points,
 
 /* ---- planes that are there --------------------------------------------------- */
 
-/* Where a plane stands in the table, whichever way its normal points. */
+/* Where a plane stands in the table, whichever way its normal points: a little
+ * less of each part, and a little more. */
 struct place {
-	double parts[4];
+	int64_t less[4], more[4];
+	unsigned blurred; /* a bit for each part of which these differ */
 };
 
 static struct place
 place_of(const struct solid_planes *planes, const struct solid_plane *plane)
 {
-	return (struct place){{fabs(plane->normal.x) * DIRECTIONS,
+	const double parts[4] = {fabs(plane->normal.x) * DIRECTIONS,
 		fabs(plane->normal.y) * DIRECTIONS,
 		fabs(plane->normal.z) * DIRECTIONS,
-		fabs(plane->reach) / planes->extent * REACHES}};
+		fmin(fabs(plane->reach) / planes->extent * REACHES, 1e15)};
+	struct place place = {.blurred = 0};
+
+	for (unsigned i = 0; i < 4; i++) {
+		/* Rounded down, as none is negative. */
+		place.less[i] = (int64_t)(parts[i] + (1 - BLUR)) - 1;
+		place.more[i] = (int64_t)(parts[i] + BLUR);
+		place.blurred |= (unsigned)(place.less[i] != place.more[i])
+			<< i;
+	}
+	return place;
 }
 
 /* `shift` has a bit for each part that is to be looked at a little further. */
@@ -125,26 +137,13 @@ slot_of(const struct place *place, unsigned shift)
 	uint64_t hash = 0;
 
 	for (unsigned i = 0; i < 4; i++) {
-		double part = floor(
-			place->parts[i] + (shift >> i & 1 ? BLUR : -BLUR));
-
-		hash = (hash ^ (uint64_t)(int64_t)fmin(part, 1e15)) *
+		hash = (hash ^
+			       (uint64_t)(shift >> i & 1 ? place->more[i]
+							 : place->less[i])) *
 			0x9e3779b97f4a7c15;
 		hash ^= hash >> 32;
 	}
 	return (size_t)hash % SLOTS;
-}
-
-static bool
-shift_differs(const struct place *place, unsigned shift)
-{
-	for (unsigned i = 0; i < 4; i++) {
-		if ((shift >> i & 1) &&
-			floor(place->parts[i] + BLUR) ==
-				floor(place->parts[i] - BLUR))
-			return false;
-	}
-	return true;
 }
 
 static bool
@@ -168,7 +167,7 @@ plane_search(const struct solid_planes *planes, const struct solid_plane *own,
 	for (unsigned shift = 0; shift < 16; shift++) {
 		uint32_t at;
 
-		if (!shift_differs(&place, shift))
+		if (shift & ~place.blurred)
 			continue;
 		at = planes->slots.at[slot_of(&place, shift)];
 		for (; at; at = planes->next.at[at - 1]) {
