@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Write a STEP file of IFC again and again as one of about that many
-megabytes: replicate_step.py FILE MEGABYTES. Each copy has instance numbers and
-GlobalIds of its own; all of them stand in the project of the first."""
+megabytes: replicate_step.py FILE MEGABYTES [--one]. Each copy has instance
+numbers and GlobalIds of its own; all of them stand in the project of the first,
+and with --one in its building as well."""
 
 import hashlib
 import re
@@ -25,21 +26,22 @@ def main():
     size = float(sys.argv[2]) * 1e6
     first = re.search(rb"\bDATA\s*;\s*", text).end()
     last = text.rindex(b"ENDSEC")
-    project = re.search(rb"#(\d+)\s*=\s*IFCPROJECT\s*\(.*?;\s*?\n", text, re.S)
+    kinds = b"PROJECT|SITE|BUILDING" if "--one" in sys.argv else b"PROJECT"
+    once = re.compile(
+        rb"#(\d+)\s*=\s*IFC(?:" + kinds + rb")\s*\(.*?;\s*?\n", re.S)
     write = sys.stdout.buffer.write
     written = write(text[:last])
-    rest = text[first:project.start()] + text[project.end():last]
-    pieces = TOKENS.split(rest)
+    shared = {int(one[1]) for one in once.finditer(text)}
+    pieces = TOKENS.split(once.sub(b"", text[first:last]))
     numbers = {i: int(pieces[i][1:]) for i in range(1, len(pieces), 2)
                if pieces[i][:1] == b"#"}
     names = [i for i in range(1, len(pieces), 2)
              if GLOBAL_ID.fullmatch(pieces[i])]
     step = max(numbers.values()) + 1
-    shared = int(project[1])
     copy = 1
     while written < size:
         for i, number in numbers.items():
-            if number != shared:
+            if number not in shared:
                 pieces[i] = b"#%d" % (number + copy * step)
         fresh = list(pieces)
         for i in names:
