@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "crew.h"
+#include "ifc_append.h"
 #include "ifc_features.h"
 #include "ifc_head.h"
 #include "ifc_product.h"
@@ -83,12 +84,12 @@ convert_work(void *context, void *item, void *worker, struct tcs_fault *fault)
 		model->objects.objects.at + slot->object;
 	const struct ifc_member *members =
 		model->objects.members.at + object->first_member;
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status;
 
 	object_clear(&slot->piece);
 	report_clear(&slot->report);
-	if (slot->begins)
-		status = ifc_features_write(model, object, &slot->piece, fault);
+	status = ifc_features_write(
+		model, object, slot->first, slot->count, &slot->piece, fault);
 	for (uint32_t i = slot->first; i < slot->first + slot->count && !status;
 		i++)
 		status = ifc_product_shape(worker, members[i].node, i,
@@ -106,8 +107,7 @@ piece_take(struct convert *convert, struct slot *slot, struct tcs_fault *fault)
 	struct tcs_object swap;
 
 	if (!slot->begins)
-		return ifc_geometries_append(
-			&convert->object, &slot->piece, fault);
+		return ifc_object_append(&convert->object, &slot->piece, fault);
 	swap = convert->object;
 	convert->object = slot->piece;
 	slot->piece = swap;
@@ -307,7 +307,7 @@ run(struct convert *convert, struct input *input, struct tcs_fault *fault)
 	if (!status)
 		status = ifc_model_read(&convert->model, convert->text.at,
 			convert->text.count, &convert->options->keep,
-			convert->report, fault);
+			convert->command->jobs, convert->report, fault);
 	if (status)
 		return status;
 	ifc_georeference_read(&convert->model.file, &convert->model.units,

@@ -34,16 +34,14 @@ ifc_text_add(struct tcs_object *out, const struct step_value *value,
 
 /* A slab's landing belongs to its stair. */
 static enum tcs_class
-class_of(const struct ifc_model *model, uint32_t instance, bool alone,
-	enum tcs_class object)
+class_within(
+	const struct ifc_model *model, uint32_t instance, enum tcs_class object)
 {
 	const struct ifc_file *file = &model->file;
 	enum ifc_entity entity = ifc_entity_of(file, instance);
 	struct step_value type;
 
-	if (alone)
-		return ifc_class_alone(file->version, entity);
-	if (ifc_is(file->version, entity, IFC_SLAB)) {
+	if (ifc_is_kind(file, instance, IFC_SLAB)) {
 		type = ifc_value(file, instance,
 			ifc_attribute(file->version, entity, "PredefinedType"));
 		if (step_is(&type, "LANDING"))
@@ -52,9 +50,18 @@ class_of(const struct ifc_model *model, uint32_t instance, bool alone,
 	return ifc_class_within(file->version, entity, object);
 }
 
+/* The class that the object as a whole has. */
+static enum tcs_class
+class_alone(const struct ifc_model *model, const struct ifc_member *root)
+{
+	return ifc_class_alone(model->file.version,
+		ifc_entity_of(
+			&model->file, model->tree.at[root->node].instance));
+}
+
 static enum tcs_status
 feature_add(const struct ifc_model *model, const struct ifc_member *member,
-	struct tcs_object *out, struct tcs_fault *fault)
+	enum tcs_class object, struct tcs_object *out, struct tcs_fault *fault)
 {
 	const struct ifc_file *file = &model->file;
 	uint32_t instance = model->tree.at[member->node].instance;
@@ -64,10 +71,9 @@ feature_add(const struct ifc_model *model, const struct ifc_member *member,
 	char id[IFC_GLOBAL_ID_ROOM];
 	enum tcs_status status;
 
-	feature.class = (uint16_t)class_of(model, instance,
-		!out->features.count,
-		out->features.count ? (enum tcs_class)out->features.at[0].class
-				    : TCS_CLASS_Unknown);
+	feature.class = (uint16_t)(member->parent == STEP_NONE
+			? object
+			: class_within(model, instance, object));
 	ifc_global_id(file, instance, id);
 	status = text_append(out, id, strlen(id), &feature.id, fault);
 	if (!status)
@@ -110,15 +116,16 @@ filling_add(const struct ifc_model *model, const struct ifc_member *member,
 
 enum tcs_status
 ifc_features_write(const struct ifc_model *model,
-	const struct ifc_object *object, struct tcs_object *out,
-	struct tcs_fault *fault)
+	const struct ifc_object *object, uint32_t first, uint32_t count,
+	struct tcs_object *out, struct tcs_fault *fault)
 {
 	const struct ifc_member *members =
 		model->objects.members.at + object->first_member;
+	enum tcs_class class = class_alone(model, members);
 	enum tcs_status status = TCS_OK;
 
-	for (uint32_t i = 0; i < object->member_count && !status; i++) {
-		status = feature_add(model, members + i, out, fault);
+	for (uint32_t i = first; i < first + count && !status; i++) {
+		status = feature_add(model, members + i, class, out, fault);
 		if (!status)
 			status = ifc_attributes_write(model,
 				model->tree.at[members[i].node].instance, i,

@@ -8,12 +8,14 @@
 #include "ifc_model.h"
 
 /*
- * Write the features of an object to `out`, which is empty: feature n is the
- * n-th member. Fails with TCS_NO_MEMORY or TCS_LIMIT.
+ * Write features of an object to `out`, which is empty: those of `count`
+ * members from the one numbered `first` on. Feature n of the object is its n-th
+ * member, and so it is named, wherever it stands in `out`. Fails with
+ * TCS_NO_MEMORY or TCS_LIMIT.
  */
 enum tcs_status ifc_features_write(const struct ifc_model *model,
-	const struct ifc_object *object, struct tcs_object *out,
-	struct tcs_fault *fault) TCS_CHECKED;
+	const struct ifc_object *object, uint32_t first, uint32_t count,
+	struct tcs_object *out, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Append the decoded text of a string; nothing, and 0, for another value. */
 enum tcs_status ifc_text_add(struct tcs_object *out,

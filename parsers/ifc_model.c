@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crew.h"
+
 enum { CONTEXT_PRECISION = 3 };
 
 /* Points nearer than this, in metres, are one where a file does not say. */
@@ -28,11 +30,116 @@ precision_read(const struct ifc_file *file, double length)
 	return PRECISION / length;
 }
 
+/* ---- parts that know nothing of each other ------------------------------- */
+
+struct reading {
+	struct ifc_model *model;
+	const struct ifc_keep *keep;
+	struct report *report;
+	int next; /* part */
+};
+
+struct part {
+	int number;
+	struct report report;
+};
+
+static enum tcs_status
+objects_read(struct ifc_model *model, const struct ifc_keep *keep,
+	struct report *report, struct tcs_fault *fault)
+{
+	const struct ifc_file *file = &model->file;
+	enum tcs_status status =
+		ifc_tree_read(file, &model->tree, report, fault);
+
+	if (!status)
+		status = ifc_objects_list(
+			file, &model->tree, keep, &model->objects, fault);
+	if (!status)
+		status = ifc_openings_list(
+			&model->tree, &model->openings, fault);
+	return status;
+}
+
+static enum tcs_status
+values_read(struct ifc_model *model, struct tcs_fault *fault)
+{
+	const struct ifc_file *file = &model->file;
+	enum tcs_status status =
+		ifc_project_units_read(file, &model->project_units, fault);
+
+	if (!status)
+		status = ifc_direct_read(file, &model->direct, fault);
+	if (!status)
+		status = ifc_links_read(file, &model->links, fault);
+	return status;
+}
+
+enum { PLACEMENTS, OBJECTS, VALUES, STYLES, PARTS };
+
+static enum tcs_status
+part_next(void *context, void *slot, bool *done, struct tcs_fault *fault)
+{
+	struct reading *reading = context;
+	struct part *part = slot;
+
+	(void)fault;
+	part->number = reading->next++;
+	*done = part->number == PARTS;
+	return TCS_OK;
+}
+
+static enum tcs_status
+part_read(void *context, void *slot, void *worker, struct tcs_fault *fault)
+{
+	struct reading *reading = context;
+	struct ifc_model *model = reading->model;
+	struct part *part = slot;
+
+	(void)worker;
+	report_clear(&part->report);
+	switch (part->number) {
+	case PLACEMENTS:
+		return ifc_placements_read(
+			&model->file, &model->placements, &part->report, fault);
+	case OBJECTS:
+		return objects_read(model, reading->keep, &part->report, fault);
+	case VALUES:
+		return values_read(model, fault);
+	default:
+		return ifc_styles_read(&model->file, &model->styles, fault);
+	}
+}
+
+static enum tcs_status
+part_report(void *context, void *slot, struct tcs_fault *fault)
+{
+	struct reading *reading = context;
+	struct part *part = slot;
+
+	return report_merge(reading->report, &part->report, fault);
+}
+
+static void
+part_release(void *slot)
+{
+	struct part *part = slot;
+
+	report_release(&part->report);
+}
+
 enum tcs_status
 ifc_model_read(struct ifc_model *model, const char *text, size_t length,
-	const struct ifc_keep *keep, struct report *report,
+	const struct ifc_keep *keep, unsigned jobs, struct report *report,
 	struct tcs_fault *fault)
 {
+	struct reading reading = {model, keep, report, PLACEMENTS};
+	const struct crew_plan plan = {.context = &reading,
+		.slot_size = sizeof(struct part),
+		.read = part_next,
+		.work = part_read,
+		.write = part_report,
+		.slot_release = part_release};
 	enum tcs_status status;
 
 	*model = (struct ifc_model){.precision = 0};
@@ -43,30 +150,11 @@ ifc_model_read(struct ifc_model *model, const char *text, size_t length,
 		status = ifc_units_read(
 			&model->file, &model->units, report, fault);
 	if (!status)
-		status = ifc_placements_read(
-			&model->file, &model->placements, report, fault);
+		status = crew_run(&plan, jobs < PARTS ? jobs : PARTS, fault);
 	if (!status)
-		status = ifc_tree_read(
-			&model->file, &model->tree, report, fault);
-	if (!status)
-		status = ifc_objects_list(&model->file, &model->tree, keep,
-			&model->objects, fault);
-	if (!status)
-		status = ifc_openings_list(
-			&model->tree, &model->openings, fault);
-	if (!status)
-		status = ifc_styles_read(&model->file, &model->styles, fault);
-	if (!status)
-		status = ifc_links_read(&model->file, &model->links, fault);
-	if (!status)
-		status = ifc_project_units_read(
-			&model->file, &model->project_units, fault);
-	if (!status)
-		status = ifc_direct_read(&model->file, &model->direct, fault);
-	if (status)
-		return status;
-	model->precision = precision_read(&model->file, model->units.length);
-	return TCS_OK;
+		model->precision =
+			precision_read(&model->file, model->units.length);
+	return status;
 }
 
 void

@@ -30,13 +30,13 @@ struct ifc_model {
 };
 
 /*
- * Read a file from its text, which is borrowed. `keep` says which
- * products are members of objects.
+ * Read a file from its text, which is borrowed, on `jobs` threads. `keep` says
+ * which products are members of objects.
  * Fails as step_index and ifc_open do; then the model is still to be released.
  */
 enum tcs_status ifc_model_read(struct ifc_model *model, const char *text,
-	size_t length, const struct ifc_keep *keep, struct report *report,
-	struct tcs_fault *fault) TCS_CHECKED;
+	size_t length, const struct ifc_keep *keep, unsigned jobs,
+	struct report *report, struct tcs_fault *fault) TCS_CHECKED;
 
 void ifc_model_release(struct ifc_model *model);
 

@@ -25,12 +25,4 @@ enum tcs_status ifc_polygons_add(struct triangulator *triangulator,
 	struct tcs_object *out, struct report *report,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/*
- * Append the geometries of another object, and all they own but text, which
- * they have none of. Fails with TCS_NO_MEMORY, or TCS_LIMIT where the indices
- * run out.
- */
-enum tcs_status ifc_geometries_append(struct tcs_object *out,
-	const struct tcs_object *more, struct tcs_fault *fault) TCS_CHECKED;
-
 #endif

@@ -36,14 +36,17 @@ name_fold(struct folded *out, const char *name, size_t length)
 	out->hash = (uint32_t)(hash >> 16);
 }
 
+/* `text` is what `folded` was made of; most are in capitals as they stand. */
 static bool
 name_is(const struct step_name *name, const struct folded *folded,
-	size_t length)
+	const char *text, size_t length)
 {
 	struct folded own;
 
 	if (name->hash != folded->hash || name->length != length)
 		return false;
+	if (!memcmp(name->text, text, length))
+		return true;
 	name_fold(&own, name->text, name->length);
 	return !memcmp(own.words, folded->words, own.count * 8);
 }
@@ -51,12 +54,13 @@ name_is(const struct step_name *name, const struct folded *folded,
 /* The slot of the name, or the free one where it belongs. */
 static size_t
 slot_find(const struct step_names *names, const struct folded *folded,
-	size_t length)
+	const char *text, size_t length)
 {
 	size_t mask = names->slot_count - 1, at = folded->hash & mask;
 
 	while (names->slots[at] &&
-		!name_is(names->list.at + names->slots[at], folded, length))
+		!name_is(names->list.at + names->slots[at], folded, text,
+			length))
 		at = (at + 1) & mask;
 	return at;
 }
@@ -126,7 +130,7 @@ step_names_intern(struct step_names *names, const char *name, size_t length,
 			return status;
 	}
 	name_fold(&folded, name, length);
-	at = slot_find(names, &folded, length);
+	at = slot_find(names, &folded, name, length);
 	if (!names->slots[at]) {
 		status = name_add(names, name, length, folded.hash, fault);
 		if (status)
@@ -146,7 +150,7 @@ step_names_find(const struct step_names *names, const char *name)
 	if (!names->slot_count || !length || length > STEP_MAX_NAME)
 		return 0;
 	name_fold(&folded, name, length);
-	return names->slots[slot_find(names, &folded, length)];
+	return names->slots[slot_find(names, &folded, name, length)];
 }
 
 void

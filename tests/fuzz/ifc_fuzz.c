@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "parsers/ifc_append.h"
 #include "parsers/ifc_features.h"
 #include "parsers/ifc_georeference.h"
 #include "parsers/ifc_product.h"
@@ -73,24 +74,39 @@ instances_check(const struct ifc_file *file)
 static const double DEFLECTION = 1;
 
 static void
-object_build(struct ifc_worker *worker, const struct ifc_object *object,
+piece_build(struct ifc_worker *worker, const struct ifc_object *object,
+	uint32_t first, uint32_t count, struct tcs_object *out,
 	struct report *report)
 {
 	const struct ifc_model *model = worker->model;
-	struct tcs_object out = {.text = {0}};
 	struct tcs_fault fault;
 
-	if (ifc_features_write(model, object, &out, &fault))
+	if (ifc_features_write(model, object, first, count, out, &fault))
 		abort();
-	for (uint32_t i = 0; i < object->member_count; i++)
+	for (uint32_t i = first; i < first + count; i++)
 		if (ifc_product_shape(worker,
 			    model->objects.members.at[object->first_member + i]
 				    .node,
-			    i, &out, report, &fault))
+			    i, out, report, &fault))
 			abort();
-	if (object_check(&out, &fault))
+}
+
+static void
+object_build(struct ifc_worker *worker, const struct ifc_object *object,
+	struct report *report)
+{
+	struct tcs_object out = {.text = {0}}, more = {.text = {0}};
+	uint32_t half = (object->member_count + 1) / 2;
+	struct tcs_fault fault;
+
+	piece_build(worker, object, 0, half, &out, report);
+	piece_build(worker, object, half, object->member_count - half, &more,
+		report);
+	if (ifc_object_append(&out, &more, &fault) ||
+		object_check(&out, &fault))
 		abort();
 	object_release(&out);
+	object_release(&more);
 }
 
 static void
@@ -102,8 +118,8 @@ objects_check(const char *bytes, size_t size)
 	struct ifc_model model;
 	struct tcs_fault fault;
 
-	if (!ifc_model_read(&model, bytes, size, &(struct ifc_keep){0}, &report,
-		    &fault)) {
+	if (!ifc_model_read(&model, bytes, size, &(struct ifc_keep){0}, 1,
+		    &report, &fault)) {
 		ifc_georeference_read(&model.file, &model.units, false, &place);
 		if (ifc_worker_begin(
 			    &worker, &model, &place.world, DEFLECTION, &fault))
