@@ -465,6 +465,15 @@ enum tcs_status palette_encode(const struct tcs_palette *palette,
 	struct tcs_record *record, struct tcs_fault *fault) TCS_CHECKED;
 
 /*
+ * The paints of an encoded object or prototype, lent by the record: writing
+ * into them changes its bytes, and nothing is checked. For who numbers materials
+ * and images only when the object's turn comes.
+ */
+enum tcs_status record_paints(struct tcs_record *record,
+	struct tcs_paint **paints, size_t *count,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
  * The rules of an object, whether decoded or about to be encoded:
  * - feature 0 has no parent, every other names an earlier one;
  * - attributes stand in the order of their features; a member stands behind

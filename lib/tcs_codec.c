@@ -99,6 +99,26 @@ lend_sections(void *out, const struct tcs_layout *layout,
 	return status;
 }
 
+enum tcs_status
+record_paints(struct tcs_record *record, struct tcs_paint **paints,
+	size_t *count, struct tcs_fault *fault)
+{
+	struct section_walk walk;
+	struct section section = {0};
+	bool done = false;
+	enum tcs_status status = sections_begin(&walk, record, fault);
+
+	*paints = NULL;
+	*count = 0;
+	while (!status && !done && section.tag != TCS_PAINT_TAG)
+		status = sections_next(&walk, &section, &done, fault);
+	if (status || done)
+		return status;
+	*paints = (void *)(record->bytes.at + section.at);
+	*count = (size_t)section.count;
+	return TCS_OK;
+}
+
 static enum tcs_status
 check_text(
 	const struct tcs_array *text, uint64_t where, struct tcs_fault *fault)

@@ -30,6 +30,7 @@ struct tcs_layout {
 };
 
 #define TCS_TEXT_TAG TCS_TAG('T', 'E', 'X', 'T')
+#define TCS_PAINT_TAG TCS_TAG('P', 'A', 'I', 'N')
 
 extern const struct tcs_layout layout_object;
 extern const struct tcs_layout layout_head;

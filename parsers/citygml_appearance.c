@@ -1,8 +1,7 @@
 /*
  * Appearances: themes, and the materials and textures they put on surfaces.
  *
- * Materials and images join the stream's palette when first met, equal ones
- * once. The targets of a feature's own appearance wait in its raw object; those
+ * Materials and images join the palette of the object. The targets of a feature's own appearance wait in its raw object; those
  * of a global appearance go through a raw object of their own into the store,
  * one surface data element at a time.
  *
@@ -178,11 +177,17 @@ static enum tcs_status
 surface_data_store(struct gml_reader *reader, struct tcs_fault *fault)
 {
 	struct raw_object *raw = reader->raw;
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status =
+		palette_number(&reader->numbers, &raw->palette, fault);
 
-	for (size_t i = 0; !status && i < raw->paints.count; i++)
-		status = store_add(
-			&reader->store, raw, &raw->paints.at[i], fault);
+	for (size_t i = 0; !status && i < raw->paints.count; i++) {
+		struct raw_paint *paint = &raw->paints.at[i];
+
+		paint->material =
+			palette_material(&reader->numbers, paint->material);
+		paint->image = palette_image(&reader->numbers, paint->image);
+		status = store_add(&reader->store, raw, paint, fault);
+	}
 	if (!status)
 		status = report_merge(&reader->report, &raw->report, fault);
 	raw_clear(raw);
@@ -206,9 +211,9 @@ surface_data_end(struct gml_reader *reader, const struct name *name,
 	if (raw->paints.count == reader->first_paint)
 		return TCS_OK;
 	if (name->kind == NAME_MATERIAL)
-		status = material_intern(reader, &material, fault);
+		status = material_add(reader, &material, fault);
 	else
-		status = image_intern(reader, &image, fault);
+		status = image_add(reader, &image, fault);
 	if (!status && is_georeferenced(name))
 		status = georeference_apply(reader, fault);
 	if (status)
@@ -347,12 +352,9 @@ appearance_release(struct gml_reader *reader)
 	array_release(&reader->texture.type);
 	array_release(&reader->texture.wrap);
 	array_release(&reader->texture.border);
-	keys_release(&reader->materials);
-	keys_release(&reader->images);
-	keys_release(&reader->files);
 	keys_release(&reader->meshes);
 	array_release(&reader->mesh_problems);
-	palette_release(&reader->palette);
+	palette_numbers_release(&reader->numbers);
 	store_release(&reader->store);
 	folder_close(&reader->folder);
 }

@@ -326,16 +326,6 @@ property_end(
 	return attribute_finish(reader, reader->frames.count, fault);
 }
 
-static enum tcs_status
-object_end(struct gml_reader *reader, struct tcs_fault *fault)
-{
-	enum tcs_status status = appearance_hand_over(reader, fault);
-
-	if (!status)
-		gml_close_object(reader);
-	return status;
-}
-
 enum tcs_status
 feature_end(
 	struct gml_reader *reader, struct frame *frame, struct tcs_fault *fault)
@@ -343,7 +333,7 @@ feature_end(
 	switch (frame->role) {
 	case ROLE_FEATURE:
 		if (frame->feature == 0)
-			return object_end(reader, fault);
+			gml_close_object(reader);
 		return TCS_OK;
 	case ROLE_PROPERTY:
 	case ROLE_ATTRIBUTE:

@@ -259,9 +259,11 @@ georeference_apply(struct gml_reader *reader, struct tcs_fault *fault)
 	struct raw_object *raw = reader->raw;
 	struct raw_texmatrix matrix;
 	const char *problem;
-	enum tcs_status status =
-		georeference_find(reader, &matrix, &problem, fault);
+	enum tcs_status status;
 
+	if (gml_out_of_turn(reader))
+		return TCS_OK;
+	status = georeference_find(reader, &matrix, &problem, fault);
 	if (status)
 		return status;
 	if (problem) {

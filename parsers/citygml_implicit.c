@@ -78,7 +78,8 @@ template_end(struct gml_reader *reader, struct tcs_fault *fault)
 	id = object_text(&raw->tree, raw->geometries.at[geometry].id);
 	if (!*id) {
 		snprintf(place, sizeof place, "\n%llu.%zu",
-			(unsigned long long)raw->place.number,
+			(unsigned long long)(raw->place.at ? raw->place.at
+							   : raw->place.number),
 			raw->instances.count);
 		id = place;
 	}
@@ -98,6 +99,8 @@ implicit_begin(struct gml_reader *reader, struct name *name,
 	struct raw_instance *instance;
 	enum tcs_status status = TCS_OK;
 
+	if (gml_out_of_turn(reader))
+		return gml_skip(reader);
 	if (array_grow(&raw->instances, 1))
 		return fault_memory(fault);
 	instance = &raw->instances.at[raw->instances.count++];

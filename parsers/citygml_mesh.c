@@ -77,7 +77,7 @@ face_add(struct gml_reader *reader, const struct mesh_file *mesh,
 /* The faces of one material, as a target of that: its id cannot be one of the
  * document's, which have no control characters. */
 static enum tcs_status
-material_add(struct gml_reader *reader, const struct mesh_file *mesh,
+material_use(struct gml_reader *reader, const struct mesh_file *mesh,
 	uint32_t material, uint32_t first_member, struct tcs_fault *fault)
 {
 	const struct mesh_material *from = &mesh->materials.at[material];
@@ -93,7 +93,7 @@ material_add(struct gml_reader *reader, const struct mesh_file *mesh,
 	snprintf(id, sizeof id, "\1%zu", raw->targets.count);
 	status = text_keep(&reader->source, name, strlen(name), fault);
 	if (!status)
-		status = material_intern(reader, &paint.material, fault);
+		status = material_add(reader, &paint.material, fault);
 	if (!status)
 		status = gml_text(reader, id, strlen(id), &paint.target, fault);
 	if (status)
@@ -127,7 +127,7 @@ faces_add(struct gml_reader *reader, const struct mesh_file *mesh,
 			face++)
 			status = face_add(reader, mesh, face, fault);
 		if (!status && material != TCS_NONE)
-			status = material_add(
+			status = material_use(
 				reader, mesh, material, first, fault);
 	}
 	return status;

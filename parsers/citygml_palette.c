@@ -1,181 +1,255 @@
-/*
- * The materials and images of the stream: each joins its palette when it first
- * comes, equal ones once, so that every pass gives them the same numbers.
- *
- * An image is a file beside the document. Whether it is there is looked up
- * once, for whoever has to deliver both; what is in it is not read.
- */
-#include <stdlib.h>
+#include "citygml_palette.h"
+
 #include <string.h>
 #include <unistd.h>
 
-#include "citygml_numbers.h"
-#include "citygml_reader.h"
-
-enum tcs_status
-appearance_hand_over(struct gml_reader *reader, struct tcs_fault *fault)
+void
+palette_numbers_release(struct palette_numbers *numbers)
 {
-	if (reader->palette.images.count + reader->palette.materials.count == 0)
-		return TCS_OK;
-	if (palette_append(&reader->raw->palette, &reader->palette, fault))
-		return fault->status;
-	palette_clear(&reader->palette);
+	keys_release(&numbers->materials);
+	keys_release(&numbers->images);
+	keys_release(&numbers->files);
+	folder_close(&numbers->folder);
+	report_release(&numbers->found);
+	palette_release(&numbers->fresh);
+	array_release(&numbers->material_numbers);
+	array_release(&numbers->image_numbers);
+	array_release(&numbers->key);
+}
+
+/* ---- keys ------------------------------------------------------------------- */
+
+static enum tcs_status
+key_begin(struct palette_numbers *numbers, struct tcs_fault *fault)
+{
+	array_clear(&numbers->key);
+	return array_grow(&numbers->key, 1) ? fault_memory(fault) : TCS_OK;
+}
+
+/* Bytes of any kind, as digits. */
+static enum tcs_status
+key_add_bytes(struct palette_numbers *numbers, const void *bytes, size_t length,
+	struct tcs_fault *fault)
+{
+	const unsigned char *at = bytes;
+
+	if (array_grow(&numbers->key, 2 * length))
+		return fault_memory(fault);
+	for (size_t i = 0; i < length; i++) {
+		char *to = numbers->key.at + numbers->key.count;
+
+		to[0] = (char)('a' + (at[i] >> 4));
+		to[1] = (char)('a' + (at[i] & 15));
+		numbers->key.count += 2;
+	}
+	return TCS_OK;
+}
+
+/* A line of text; the key ends with it, so far. */
+static enum tcs_status
+key_add_text(struct palette_numbers *numbers, const char *text,
+	struct tcs_fault *fault)
+{
+	size_t length = strlen(text);
+
+	if (array_grow(&numbers->key, length + 2))
+		return fault_memory(fault);
+	memcpy(numbers->key.at + numbers->key.count, text, length);
+	numbers->key.count += length;
+	numbers->key.at[numbers->key.count++] = '\n';
+	numbers->key.at[numbers->key.count] = 0;
 	return TCS_OK;
 }
 
 static enum tcs_status
-palette_text_add(struct gml_reader *reader, const struct kept_text *text,
-	tcs_text *out, struct tcs_fault *fault)
+text_copy(struct palette_numbers *numbers, const struct tcs_palette *from,
+	tcs_text text, tcs_text *to, struct tcs_fault *fault)
 {
-	return text_append(&reader->palette, text->at, text->count, out, fault);
+	const char *string = palette_text(from, text);
+
+	return text_append(&numbers->fresh, string, strlen(string), to, fault);
 }
 
-struct tcs_material
-material_plain(void)
-{
-	return (struct tcs_material){
-		.diffuse = {0.8f, 0.8f, 0.8f},
-		.specular = {1, 1, 1},
-		.ambient = 0.2f,
-		.shininess = 0.2f,
-	};
-}
+/* ---- materials --------------------------------------------------------------- */
 
-/* The material's fields as hexadecimal digits, and its id, are its key. */
-enum tcs_status
-material_intern(
-	struct gml_reader *reader, uint32_t *out, struct tcs_fault *fault)
+/* The material's fields, and its id, are its key. */
+static enum tcs_status
+material_number(struct palette_numbers *numbers,
+	const struct tcs_palette *palette, const struct tcs_material *material,
+	uint32_t *out, struct tcs_fault *fault)
 {
-	const unsigned char *bytes = (const unsigned char *)&reader->material;
-	const size_t digits = 2 * sizeof reader->material;
-	struct tcs_palette *palette = &reader->palette;
-	char *key = malloc(digits + reader->source.count + 1);
-	enum tcs_status status;
+	const char *id = palette_text(palette, material->id);
+	struct tcs_material fields = *material;
+	enum tcs_status status = key_begin(numbers, fault);
 	bool added = false;
 
-	if (!key || array_grow(&palette->materials, 1)) {
-		free(key);
-		return fault_memory(fault);
-	}
-	for (size_t i = 0; i < sizeof reader->material; i++) {
-		key[2 * i] = (char)('a' + (bytes[i] >> 4));
-		key[2 * i + 1] = (char)('a' + (bytes[i] & 15));
-	}
-	memcpy(key + digits, reader->source.at, reader->source.count);
-	key[digits + reader->source.count] = 0;
-	status = keys_add(&reader->materials, key, out, &added, fault);
-	free(key);
+	fields.id = 0;
+	if (!status)
+		status = key_add_bytes(numbers, &fields, sizeof fields, fault);
+	if (!status)
+		status = key_add_text(numbers, id, fault);
+	if (!status)
+		status = keys_add(&numbers->materials, numbers->key.at, out,
+			&added, fault);
 	if (status || !added)
 		return status;
-	palette->materials.at[palette->materials.count] = reader->material;
-	return palette_text_add(reader, &reader->source,
-		&palette->materials.at[palette->materials.count++].id, fault);
+	if (array_grow(&numbers->fresh.materials, 1))
+		return fault_memory(fault);
+	numbers->fresh.materials.at[numbers->fresh.materials.count] = fields;
+	return text_copy(numbers, palette, material->id,
+		&numbers->fresh.materials.at[numbers->fresh.materials.count++]
+			 .id,
+		fault);
 }
 
-static enum tcs_wrap
-wrap_of(const char *at, size_t length)
-{
-	static const struct {
-		const char *name;
-		enum tcs_wrap wrap;
-	} wraps[] = {
-		{"wrap", TCS_WRAP_REPEAT},
-		{"mirror", TCS_WRAP_MIRROR},
-		{"clamp", TCS_WRAP_CLAMP},
-		{"border", TCS_WRAP_BORDER},
-	};
-
-	for (size_t i = 0; i < sizeof wraps / sizeof *wraps; i++)
-		if (strlen(wraps[i].name) == length &&
-			!memcmp(wraps[i].name, at, length))
-			return wraps[i].wrap;
-	return TCS_WRAP_NONE;
-}
+/* ---- images ------------------------------------------------------------------ */
 
 static enum tcs_status
-image_add(struct gml_reader *reader, struct tcs_fault *fault)
+image_copy(struct palette_numbers *numbers, const struct tcs_palette *palette,
+	const struct tcs_image *image, struct tcs_fault *fault)
 {
-	const struct texture_text *texture = &reader->texture;
-	struct tcs_palette *palette = &reader->palette;
-	struct tcs_image image = {
-		.border = {0, 0, 0, 0},
-		.wrap = wrap_of(texture->wrap.at, texture->wrap.count),
-	};
-	double border[4];
-	int count = numbers_first(
-		texture->border.at, texture->border.count, border, 4);
-	enum tcs_status status;
+	struct tcs_image copy = *image;
+	enum tcs_status status =
+		text_copy(numbers, palette, image->id, &copy.id, fault);
 
-	for (int i = 0; i < count; i++)
-		if (border[i] >= 0 && border[i] <= 1)
-			image.border[i] = (float)border[i];
-	status = palette_text_add(reader, &texture->uri, &image.uri, fault);
 	if (!status)
-		status = palette_text_add(
-			reader, &texture->mime, &image.mime, fault);
+		status = text_copy(
+			numbers, palette, image->uri, &copy.uri, fault);
 	if (!status)
-		status = palette_text_add(
-			reader, &texture->type, &image.type, fault);
+		status = text_copy(
+			numbers, palette, image->mime, &copy.mime, fault);
 	if (!status)
-		status = palette_text_add(
-			reader, &reader->source, &image.id, fault);
+		status = text_copy(
+			numbers, palette, image->type, &copy.type, fault);
 	if (status)
 		return status;
-	if (array_grow(&palette->images, 1))
+	if (array_grow(&numbers->fresh.images, 1))
 		return fault_memory(fault);
-	palette->images.at[palette->images.count++] = image;
+	numbers->fresh.images.at[numbers->fresh.images.count++] = copy;
 	return TCS_OK;
 }
 
 /* Whether it is there is looked up once for each URI. */
 static enum tcs_status
-image_look_up(struct gml_reader *reader, struct tcs_fault *fault)
+image_look_up(struct palette_numbers *numbers, const char *uri,
+	struct tcs_fault *fault)
 {
 	const struct folder_limit limit = {UINT64_MAX, ""};
-	const char *reason, *uri = reader->texture.uri.at;
 	struct folder_file file;
 	enum tcs_status status;
+	const char *reason;
 	uint32_t number;
 	bool added;
 
-	if (!reader->folder.name || !reader->texture.uri.count)
+	if (!numbers->folder.name || !*uri)
 		return TCS_OK;
-	status = keys_add(&reader->files, uri, &number, &added, fault);
+	status = keys_add(&numbers->files, uri, &number, &added, fault);
 	if (status || !added)
 		return status;
 	status = folder_open_file(
-		&reader->folder, uri, &limit, &file, &reason, fault);
+		&numbers->folder, uri, &limit, &file, &reason, fault);
 	if (status)
 		return status;
 	if (reason)
-		return report_item(&reader->images_found, REPORT_NOTE, "image",
+		return report_item(&numbers->found, REPORT_NOTE, "image",
 			reason, uri, TCS_NOWHERE, fault);
 	close(file.file);
-	return report_add(&reader->images_found, "images present", 1, fault);
+	return report_add(&numbers->found, "images present", 1, fault);
 }
 
 /* All that a texture says is its key, line by line. */
-enum tcs_status
-image_intern(struct gml_reader *reader, uint32_t *out, struct tcs_fault *fault)
+static enum tcs_status
+image_number(struct palette_numbers *numbers, const struct tcs_palette *palette,
+	const struct tcs_image *image, uint32_t *out, struct tcs_fault *fault)
 {
-	const struct texture_text *texture = &reader->texture;
-	size_t size = texture->uri.count + texture->mime.count +
-		texture->type.count + texture->wrap.count +
-		texture->border.count + reader->source.count + 6;
-	char *key = malloc(size);
-	enum tcs_status status;
+	const tcs_text texts[] = {
+		image->uri, image->mime, image->type, image->id};
+	enum tcs_status status = key_begin(numbers, fault);
 	bool added = false;
 
-	if (!key)
+	for (size_t i = 0; !status && i < sizeof texts / sizeof *texts; i++)
+		status = key_add_text(
+			numbers, palette_text(palette, texts[i]), fault);
+	if (!status)
+		status = key_add_bytes(
+			numbers, &image->wrap, sizeof image->wrap, fault);
+	if (!status)
+		status = key_add_bytes(
+			numbers, image->border, sizeof image->border, fault);
+	if (!status)
+		status = key_add_text(numbers, "", fault);
+	if (!status)
+		status = keys_add(
+			&numbers->images, numbers->key.at, out, &added, fault);
+	if (!status && added)
+		status = image_copy(numbers, palette, image, fault);
+	if (!status && added)
+		status = report_add(&numbers->found, "images", 1, fault);
+	if (status || !added)
+		return status;
+	return image_look_up(numbers, palette_text(palette, image->uri), fault);
+}
+
+/* ---- all of an object's ------------------------------------------------------- */
+
+enum tcs_status
+palette_number(struct palette_numbers *numbers,
+	const struct tcs_palette *palette, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	array_clear(&numbers->material_numbers);
+	array_clear(&numbers->image_numbers);
+	if (array_grow(&numbers->material_numbers, palette->materials.count) ||
+		array_grow(&numbers->image_numbers, palette->images.count))
 		return fault_memory(fault);
-	snprintf(key, size, "%s\n%s\n%s\n%s\n%s\n%s", texture->uri.at,
-		texture->mime.at, texture->type.at, texture->wrap.at,
-		texture->border.at, reader->source.at);
-	status = keys_add(&reader->images, key, out, &added, fault);
-	free(key);
-	if (!status && added)
-		status = image_add(reader, fault);
-	if (!status && added)
-		status = report_add(&reader->images_found, "images", 1, fault);
-	return status || !added ? status : image_look_up(reader, fault);
+	for (size_t i = 0; !status && i < palette->materials.count; i++)
+		status = material_number(numbers, palette,
+			&palette->materials.at[i],
+			&numbers->material_numbers
+				 .at[numbers->material_numbers.count++],
+			fault);
+	for (size_t i = 0; !status && i < palette->images.count; i++)
+		status = image_number(numbers, palette, &palette->images.at[i],
+			&numbers->image_numbers
+				 .at[numbers->image_numbers.count++],
+			fault);
+	return status;
+}
+
+static bool
+is_marked(uint32_t number)
+{
+	return number != TCS_NONE && number & PALETTE_OWN;
+}
+
+uint32_t
+palette_material(const struct palette_numbers *numbers, uint32_t material)
+{
+	return is_marked(material)
+		? numbers->material_numbers.at[material - PALETTE_OWN]
+		: material;
+}
+
+uint32_t
+palette_image(const struct palette_numbers *numbers, uint32_t image)
+{
+	return is_marked(image) ? numbers->image_numbers.at[image - PALETTE_OWN]
+				: image;
+}
+
+enum tcs_status
+palette_renumber(const struct palette_numbers *numbers,
+	struct tcs_record *record, struct tcs_fault *fault)
+{
+	struct tcs_paint *paints;
+	size_t count;
+	enum tcs_status status = record_paints(record, &paints, &count, fault);
+
+	for (size_t i = 0; !status && i < count; i++) {
+		paints[i].material =
+			palette_material(numbers, paints[i].material);
+		paints[i].image = palette_image(numbers, paints[i].image);
+	}
+	return status;
 }

@@ -119,8 +119,9 @@ struct raw_paint {
 	tcs_text mapping_id; /* gml:id of its texture coordinates */
 	tcs_text link; /* they are those with this mapping_id; absent: its own,
 	                  or found */
-	uint32_t material; /* of the stream's palette; TCS_NONE */
-	uint32_t image; /* of the stream's palette; TCS_NONE */
+	uint32_t material; /* of the stream's palette, or marked: of the
+	                      object's (citygml_palette.h); TCS_NONE */
+	uint32_t image; /* the same */
 	uint32_t first_ring; /* MAPPING_LIST: of `texrings` */
 	uint32_t ring_count;
 	uint32_t matrix; /* MAPPING_MATRIX: of `texmatrices` */
@@ -168,7 +169,7 @@ struct raw_object {
 	TCS_ARRAY(struct raw_template) templates;
 	TCS_ARRAY(struct raw_instance) instances;
 	struct report report; /* what the parser left out */
-	struct tcs_palette palette; /* new entries to write before it */
+	struct tcs_palette palette; /* what its own appearance shows */
 	struct raw_place place;
 	bool has_links; /* a member links */
 	bool waits; /* an instance links to a template not known yet */

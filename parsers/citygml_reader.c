@@ -42,6 +42,13 @@ gml_push(struct gml_reader *reader, struct name *name, enum frame_role role,
 	return TCS_OK;
 }
 
+bool
+gml_out_of_turn(struct gml_reader *reader)
+{
+	reader->out_of_turn = reader->is_helper;
+	return reader->is_helper;
+}
+
 enum tcs_status
 gml_skip(struct gml_reader *reader)
 {
@@ -77,13 +84,13 @@ gml_name_text(struct gml_reader *reader, struct name *name, tcs_text *out,
 	struct tcs_fault *fault)
 {
 	/* Serial 0 is a name never placed; the first object counts as 1. */
-	if (name->text_serial != reader->objects) {
+	if (name->text_serial != reader->serial) {
 		enum tcs_status status = gml_text(
 			reader, name->local, name->length, &name->text, fault);
 
 		if (status)
 			return status;
-		name->text_serial = reader->objects;
+		name->text_serial = reader->serial;
 	}
 	*out = name->text;
 	return TCS_OK;
@@ -117,6 +124,9 @@ gml_srs(struct gml_reader *reader, const char *name, size_t length,
 		if (!strncmp(known, name, length) && !known[length])
 			return TCS_OK;
 	}
+	*out = TCS_NONE;
+	if (gml_out_of_turn(reader))
+		return TCS_OK;
 	*out = 0;
 	if (reader->systems.count >= MAX_SYSTEMS)
 		return TCS_OK;
@@ -149,6 +159,8 @@ gml_north_first(struct gml_reader *reader, uint32_t system,
 
 	if (srs->decided)
 		return srs->north_first;
+	if (gml_out_of_turn(reader))
+		return false;
 	if (numbers_first(position, length, sample, 3) < 2)
 		return false;
 	srs->north_first = srs_north_first(&srs->srs,
@@ -239,6 +251,8 @@ element_start(struct gml_reader *reader, struct name *name,
 	struct frame *top = gml_top(reader);
 
 	top->has_children = true;
+	if (reader->out_of_turn)
+		return gml_skip(reader);
 	if (is_dropped(reader, top, name))
 		return extension_drop(reader, fault);
 	switch (top->role) {
@@ -347,6 +361,7 @@ gml_begin(struct gml_reader *reader, const struct gml_options *options,
 		.model_srs = TCS_NONE,
 		.first_srs = TCS_NONE,
 		.folder.name = options->folder,
+		.numbers.folder.name = options->folder,
 	};
 	if (array_grow(&reader->frames, 1) || array_grow(&reader->text, 64))
 		return fault_memory(fault);
@@ -380,7 +395,6 @@ gml_release(struct gml_reader *reader)
 		free(reader->systems.at[i].name);
 	array_release(&reader->systems);
 	report_release(&reader->report);
-	report_release(&reader->images_found);
 	keys_release(&reader->templates);
 	appearance_release(reader);
 }
@@ -482,6 +496,7 @@ gml_open_object(struct gml_reader *reader, struct tcs_fault *fault)
 		.line = tag.line,
 		.number = reader->objects++,
 	};
+	reader->serial++;
 	reader->object_srs = TCS_NONE;
 	return TCS_OK;
 }

@@ -13,7 +13,7 @@
  *     citygml_implicit.c    templates and where they are placed
  *     citygml_mesh.c        templates that are files of their own
  *     citygml_appearance.c  themes, materials and textures
- *     citygml_palette.c     the tables of these
+ *     citygml_surface_data.c  what these are
  *     citygml_mapping.c     where textures lie on surfaces
  *     citygml_georeference.c  where georeferenced ones do
  *
@@ -29,6 +29,7 @@
 
 #include "citygml_keys.h"
 #include "citygml_names.h"
+#include "citygml_palette.h"
 #include "citygml_raw.h"
 #include "citygml_store.h"
 #include "citygml_xml.h"
@@ -78,6 +79,8 @@ struct gml_srs {
 	bool north_first;
 };
 
+TCS_ARRAY_TYPE(srs_list, struct gml_srs);
+
 /* Text of one element that others need; NUL-terminated once kept. */
 TCS_ARRAY_TYPE(kept_text, char);
 
@@ -123,11 +126,14 @@ struct gml_reader {
 	TCS_ARRAY(char) text; /* of the innermost element */
 
 	bool skip; /* the element that begins is not read, nor any below */
+	bool is_helper; /* reads single members: see citygml_members.h */
+	bool out_of_turn; /* what a helper met cannot be read by it */
 
 	struct raw_object *raw; /* being filled; NULL between objects */
 	struct raw_object *ready, **ready_end; /* complete ones, in order */
 	struct raw_object *spare;
 	uint64_t objects; /* top-level features begun */
+	uint64_t serial; /* counts what this reader has begun */
 	uint64_t object_bytes; /* fed since the one being read began */
 	uint64_t head_end; /* behind the start tag of the model; 0: unknown */
 	struct xml_stretch member; /* the start tag of the one being read */
@@ -135,7 +141,7 @@ struct gml_reader {
 	/* the model; what it says of itself behind its first member comes too
 	   late for the head of the stream */
 	struct kept_text model_id, model_name, model_description;
-	TCS_ARRAY(struct gml_srs) systems;
+	struct srs_list systems;
 	uint32_t model_srs; /* index; TCS_NONE */
 	uint32_t first_srs; /* of the first geometry that names one */
 	double corner[2][3]; /* of the model's envelope */
@@ -162,11 +168,8 @@ struct gml_reader {
 	uint32_t next_texring; /* being read: rings before it have names */
 	bool back; /* the surface data paints backs */
 	uint32_t first_paint; /* its targets start here */
-	struct key_table materials, images; /* of the stream so far */
 	struct folder folder;
-	struct key_table files; /* of the folder that were looked up … */
-	struct report images_found; /* … once, in whatever pass */
-	struct tcs_palette palette; /* entries no object has brought yet */
+	struct palette_numbers numbers;
 	struct paint_store store; /* global appearances */
 };
 
@@ -207,6 +210,12 @@ struct frame *gml_top(struct gml_reader *reader);
 enum tcs_status gml_push(struct gml_reader *reader, struct name *name,
 	enum frame_role role, struct frame **out,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * For what depends on more than the member and the head of the document: a
+ * helper reads no more of the member; false for any other reader.
+ */
+bool gml_out_of_turn(struct gml_reader *reader);
 
 /* Do not read the element that begins, nor anything below it. */
 enum tcs_status gml_skip(struct gml_reader *reader);
@@ -367,10 +376,10 @@ enum tcs_status text_keep(struct kept_text *to, const char *bytes,
 /* What a material is where nothing is said of it (CityGML 2.0 9.2). */
 struct tcs_material material_plain(void);
 
-/* The numbers in the stream's tables of what is being read. */
-enum tcs_status material_intern(struct gml_reader *reader, uint32_t *out,
+/* What is being read joins the palette of the object; its number there. */
+enum tcs_status material_add(struct gml_reader *reader, uint32_t *out,
 	struct tcs_fault *fault) TCS_CHECKED;
-enum tcs_status image_intern(struct gml_reader *reader, uint32_t *out,
+enum tcs_status image_add(struct gml_reader *reader, uint32_t *out,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /*
@@ -403,9 +412,6 @@ void georeference_end(struct gml_reader *reader, const struct frame *frame);
 enum tcs_status georeference_apply(
 	struct gml_reader *reader, struct tcs_fault *fault) TCS_CHECKED;
 
-/* Hand the object the palette entries that no object before it has brought. */
-enum tcs_status appearance_hand_over(
-	struct gml_reader *reader, struct tcs_fault *fault) TCS_CHECKED;
 void appearance_release(struct gml_reader *reader);
 
 #endif

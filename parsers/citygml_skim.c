@@ -3,6 +3,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "newlines.h"
+
 enum {
 	SKIM_CHUNK = 64 * 1024,
 	TOKEN_MAX = 1024 * 1024, /* bytes of a tag or comment */
@@ -97,6 +99,7 @@ struct skim {
 	bool declared; /* that is known */
 	bool joins; /* nothing but text since the last part */
 	bool within; /* a part */
+	bool painted; /* there is an appearance */
 	bool unsure;
 };
 
@@ -160,29 +163,11 @@ behind_declaration(struct skim *skim, const char *at, const char *end)
 
 /* ---- parts ------------------------------------------------------------------- */
 
-static uint64_t
-newlines(const char *at, size_t length)
-{
-	enum { BLOCK = 128 };
-	uint64_t count = 0;
-
-	for (; length >= BLOCK; at += BLOCK, length -= BLOCK) {
-		unsigned char some = 0;
-
-		for (int i = 0; i < BLOCK; i++)
-			some = (unsigned char)(some + (at[i] == '\n'));
-		count += some;
-	}
-	for (; length; at++, length--)
-		count += *at == '\n';
-	return count;
-}
-
 static void
 lines_count(struct skim *skim, size_t upto)
 {
-	skim->line +=
-		newlines(skim->bytes.at + skim->counted, upto - skim->counted);
+	skim->line += newlines_count(
+		skim->bytes.at + skim->counted, upto - skim->counted);
 	skim->counted = upto;
 }
 
@@ -200,9 +185,14 @@ is_named(const char *tag, const char *name)
 
 /* An appearance, or the bounds with the name of the coordinate system. */
 static bool
-is_wanted_member(const char *tag)
+is_wanted_member(struct skim *skim, const char *tag)
 {
-	return is_named(tag, "appearanceMember") || is_named(tag, "boundedBy");
+	if (is_named(tag, "boundedBy"))
+		return true;
+	if (!is_named(tag, "appearanceMember"))
+		return false;
+	skim->painted = true;
+	return true;
 }
 
 static bool
@@ -253,7 +243,7 @@ start_tag(struct skim *skim, const char *at, const char *behind_tag,
 		skim->parts->head_end =
 			skim->at + (uint64_t)(behind_tag - skim->bytes.at);
 	}
-	if (skim->depth == 1 && is_wanted_member(at + 1))
+	if (skim->depth == 1 && is_wanted_member(skim, at + 1))
 		status = part_begin(skim, at, fault);
 	if (skim->depth == 1 && !empty && is_city_object_member(at + 1))
 		skim->members = 1;
@@ -487,10 +477,9 @@ bytes_are_like_ascii(const struct skim_bytes *bytes)
 static enum tcs_status
 look_closely(struct skim *skim, struct input *input, struct tcs_fault *fault)
 {
-	enum tcs_status status = input_rewind(input, fault);
+	enum tcs_status status = TCS_OK;
 	bool got = true, first = true;
 
-	skim->bytes.count = 0;
 	while (!status && got && !skim->unsure) {
 		status = bytes_read(&skim->bytes, input, &got, fault);
 		if (first && !status)
@@ -508,15 +497,19 @@ skim_appearances(struct input *input, struct document_parts *parts,
 	enum skim_result *result, struct tcs_fault *fault)
 {
 	struct skim skim = {.parts = parts, .line = 1};
-	enum tcs_status status;
-	bool found;
+	enum tcs_status status = look_closely(&skim, input, fault);
+	bool found = skim.painted;
 
-	*result = SKIM_NONE;
-	status = look_quickly(&skim.bytes, input, &found, fault);
-	if (!status && found) {
-		status = look_closely(&skim, input, fault);
-		*result = skim.unsure ? SKIM_UNSURE : SKIM_PARTS;
+	if (!status && skim.unsure) {
+		skim.bytes.count = 0;
+		status = input_rewind(input, fault);
+		if (!status)
+			status =
+				look_quickly(&skim.bytes, input, &found, fault);
 	}
+	*result = !found ? SKIM_NONE : skim.unsure ? SKIM_UNSURE : SKIM_PARTS;
+	if (*result != SKIM_PARTS)
+		parts_release(parts);
 	array_release(&skim.bytes);
 	return status;
 }

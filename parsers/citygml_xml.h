@@ -57,6 +57,24 @@ void xml_free(struct xml_parser *parser);
 enum tcs_status xml_feed(struct xml_parser *parser, const char *bytes,
 	size_t length, struct tcs_fault *fault) TCS_CHECKED;
 
+/*
+ * Whether the parser stands directly below the root element, with nothing of
+ * the bytes left, which it takes as they come.
+ */
+bool xml_is_between(const struct xml_parser *parser);
+
+/* Parse what was kept back of the bytes for the sake of speed. */
+enum tcs_status xml_settle(
+	struct xml_parser *parser, struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Where xml_is_between: the bytes of one whole element; the one behind them may
+ * be written meanwhile. *whole is false where they are more or less than that,
+ * or not parsed at all: then, and after a failure, the parser is beyond use.
+ */
+enum tcs_status xml_feed_element(struct xml_parser *parser, char *bytes,
+	size_t length, bool *whole, struct tcs_fault *fault) TCS_CHECKED;
+
 /* The line being parsed, from 1. */
 uint32_t xml_line(const struct xml_parser *parser);
 

@@ -305,6 +305,42 @@ piece_parse(struct xml_parser *parser, char **at, char *end)
 	return piece_check(parser);
 }
 
+bool
+xml_is_between(const struct xml_parser *parser)
+{
+	return !parser->status && parser->context && parser->depth == 1 &&
+		!parser->skipped && !parser->held.count &&
+		xml_takes_pieces(parser);
+}
+
+/* A tag that is not short has a stretch without '<', as long text has. */
+#define STRETCH (32 * 1024)
+
+static bool
+has_stretch(const char *at, size_t length)
+{
+	for (; length > 2 * STRETCH; at += STRETCH, length -= STRETCH)
+		if (!memchr(at, '<', STRETCH))
+			return true;
+	return false;
+}
+
+enum tcs_status
+xml_feed_element(struct xml_parser *parser, char *bytes, size_t length,
+	bool *whole, struct tcs_fault *fault)
+{
+	char *end = bytes + length;
+
+	*whole = false;
+	if (parser->status || !xml_is_between(parser) ||
+		has_stretch(bytes, length))
+		return TCS_OK;
+	if (piece_parse(parser, &bytes, end))
+		*fault = parser->fault;
+	*whole = !parser->status && bytes == end && xml_is_between(parser);
+	return parser->status;
+}
+
 /* All up to `cut`, piece by piece and end tag by end tag. */
 static enum tcs_status
 pieces_parse(struct xml_parser *parser, char **at, char *cut)
@@ -369,6 +405,17 @@ xml_feed_more(struct xml_parser *parser, const char *bytes, size_t length)
 	return xml_takes_pieces(parser)
 		? xml_feed_pieces(parser, bytes, length)
 		: xml_push(parser, bytes, length, false);
+}
+
+enum tcs_status
+xml_settle(struct xml_parser *parser, struct tcs_fault *fault)
+{
+	if (!parser->status && parser->held.count && xml_takes_pieces(parser))
+		parser->status = xml_parse(
+			parser, parser->held.at, parser->held.count, false);
+	if (parser->status)
+		*fault = parser->fault;
+	return parser->status;
 }
 
 enum tcs_status
