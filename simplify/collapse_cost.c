@@ -12,6 +12,17 @@
 /* A collapse that is free otherwise prefers the shorter edge. */
 #define SHORTNESS 1e-10
 
+/* Whether the node is a boundary vertex at that component. */
+static bool
+meets(const struct seams *seams, uint32_t node, uint32_t component)
+{
+	for (uint32_t i = seams->nodes.at[node]; i != TCS_NONE;
+		i = seams->planes.at[i].next)
+		if (seams->planes.at[i].component == component)
+			return true;
+	return false;
+}
+
 /*
  * The plane of another component that the collapse pulls its boundary vertex
  * out of most: the sine of the angle between edge and plane.
@@ -26,18 +37,21 @@ worst_sine(const struct collapses *work, uint32_t node, uint32_t target,
 	const struct tcs_point *normals = work->sheets->normals.at;
 	double worst = 0;
 
+	bool stays = false;
+	uint32_t asked = TCS_NONE;
+
+	/* Planes of one component stand together. */
 	for (uint32_t i = seams->nodes.at[node]; i != TCS_NONE;
 		i = seams->planes.at[i].next) {
 		const struct seam_plane *plane = &seams->planes.at[i];
-		bool stays = false;
+		double sine;
 
-		for (uint32_t k = seams->nodes.at[target]; k != TCS_NONE;
-			k = seams->planes.at[k].next)
-			stays |= seams->planes.at[k].component ==
-				plane->component;
-		if (!stays)
-			worst = fmax(worst,
-				fabs(vector_dot(normals[plane->face], along)));
+		if (plane->component != asked)
+			stays = meets(seams, target, plane->component);
+		asked = plane->component;
+		sine = fabs(vector_dot(normals[plane->face], along));
+		if (!stays && sine > worst)
+			worst = sine;
 	}
 	return worst;
 }
@@ -47,9 +61,11 @@ static double
 border_cost(const struct collapses *work, uint32_t node, struct tcs_point to)
 {
 	const struct quadric *borders = &work->borders.at[node];
-	double cost = quadric_at(borders, to);
-	double weight = borders->xx + borders->yy + borders->zz;
+	double weight = borders->xx + borders->yy + borders->zz, cost;
 
+	if (!(weight > 0))
+		return 0;
+	cost = quadric_at(borders, to);
 	if (!work->settings.loose &&
 		cost > BORDER_LIMIT * BORDER_LIMIT * weight)
 		return INFINITY;
@@ -57,23 +73,28 @@ border_cost(const struct collapses *work, uint32_t node, struct tcs_point to)
 }
 
 double
-collapse_cost(const struct collapses *work, uint32_t node, uint32_t target)
+collapse_cost(const struct collapses *work, uint32_t node, uint32_t target,
+	double bound)
 {
+	double ratio = work->settings.base_ratio;
 	struct tcs_point to = work->positions.at[target];
 	struct tcs_point along =
 		vector_difference(to, work->positions.at[node]);
-	double square = vector_dot(along, along), pull;
+	double square = vector_dot(along, along), pull, rest;
 	double cost = quadric_at(&work->quadrics.at[node], to) +
 		border_cost(work, node, to) +
 		SHORTNESS * work->areas.at[node] * square;
 
-	if (!(cost < INFINITY) || work->seams->nodes.at[node] == TCS_NONE ||
+	if (!(cost <= bound) || work->seams->nodes.at[node] == TCS_NONE ||
 		!(square > 0))
 		return cost;
+	if (cost * ratio > bound)
+		return cost * ratio;
 	/* `pull` is how far the vertex leaves the other component; it costs
 	   even where the shape stays as it is. */
 	pull = worst_sine(work, node, target, along);
 	cost += work->areas.at[node] * pull * pull;
-	return cost * work->settings.base_ratio /
-		fmax(LEAST_COSINE, sqrt(fmax(0, 1 - pull * pull / square)));
+	rest = 1 - pull * pull / square;
+	rest = rest > LEAST_COSINE * LEAST_COSINE ? sqrt(rest) : LEAST_COSINE;
+	return cost * ratio / rest;
 }

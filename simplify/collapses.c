@@ -84,7 +84,7 @@ static enum tcs_status
 add_candidate(struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_fault *fault)
 {
-	double cost = collapse_cost(work, node, target);
+	double cost = collapse_cost(work, node, target, INFINITY);
 
 	if (!(cost < INFINITY))
 		return TCS_OK;
@@ -149,7 +149,7 @@ judge_node(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 
 		if (there.node == node)
 			continue;
-		there.cost = collapse_cost(work, node, there.node);
+		there.cost = collapse_cost(work, node, there.node, best.cost);
 		if (there.cost < INFINITY && is_cheaper(&there, &best))
 			best = there;
 	}
@@ -189,9 +189,10 @@ update(struct collapses *work, uint32_t node, uint32_t gone, uint32_t target,
 
 	if (aimed == TCS_NONE || aimed == gone)
 		return judge_node(work, node, fault);
-	there = (struct queue_entry){collapse_cost(work, node, target), target};
 	now = work->queue.heap.at[work->queue.places.at[node]];
 	now.node = aimed;
+	there = (struct queue_entry){
+		collapse_cost(work, node, target, now.cost), target};
 	if (is_cheaper(&there, &now))
 		aim(work, node, there);
 	return TCS_OK;

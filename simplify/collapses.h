@@ -132,9 +132,9 @@ bool ring_shape(const struct collapses *work, size_t count, size_t i,
 bool edge_is_sharp(const struct collapses *work, size_t corner);
 
 /* What moving a node into another costs, square metres times area; INFINITY
-   where it may not be. */
-double collapse_cost(
-	const struct collapses *work, uint32_t node, uint32_t target);
+   where it may not be. What is more than `bound` may be less than it costs. */
+double collapse_cost(const struct collapses *work, uint32_t node,
+	uint32_t target, double bound);
 
 /*
  * Whether it may be done: the mesh stays manifold, no face turns over or

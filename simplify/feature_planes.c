@@ -75,14 +75,12 @@ add_edge(struct collapses *work, size_t corner)
 	double penalty = penalty_of(work, corner);
 	uint32_t ends[2] = {node_of(work, corners[corner % 3]),
 		node_of(work, corners[(corner + 1) % 3])};
-	struct tcs_point from = work->positions.at[ends[0]];
-	struct tcs_point along =
-		vector_difference(work->positions.at[ends[1]], from);
-	struct tcs_point across =
-		unit(vector_cross(along, work->sheets->normals.at[face]));
+	struct tcs_point from = work->positions.at[ends[0]], along, across;
 
 	if (!(penalty > 0))
 		return;
+	along = vector_difference(work->positions.at[ends[1]], from);
+	across = unit(vector_cross(along, work->sheets->normals.at[face]));
 	for (int i = 0; i < 2; i++)
 		quadric_add_plane(&work->quadrics.at[ends[i]], across,
 			-vector_dot(across, from),

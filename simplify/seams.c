@@ -95,8 +95,8 @@ keep_place(struct search *search, const struct touch *touch, uint32_t contact)
 		uint32_t hold = (uint32_t)seams->holds.count++;
 
 		seams->holds.at[hold].face = TCS_NONE;
-		/* A lengthened edge may begin before its face. */
-		seams_move_hold(seams, hold, touch->faces[side], INFINITY);
+		seams_move_hold(seams, hold, touch->faces[side],
+			(double)touch->offs[side]);
 	}
 	return TCS_OK;
 }

@@ -90,16 +90,20 @@ height_over(const struct look *look, uint32_t face, struct tcs_point point)
 
 /* ---- what is found ------------------------------------------------------- */
 
+/* A place, `offs` metres from a face of the side that is asked and from one of
+   the other. */
 static enum tcs_status
-add_place(struct look *look, struct tcs_point at, double gap, uint32_t own,
-	uint32_t other)
+add_place(struct look *look, struct tcs_point at, const uint32_t faces[2],
+	const double offs[2])
 {
 	struct touches *touches = look->touches;
+	int own = look->side, other = 1 - own;
 
 	if (array_grow(&touches->places, 1))
 		return fault_memory(look->fault);
-	touches->places.at[touches->places.count++] = (struct touch){
-		at, gap, {look->side ? other : own, look->side ? own : other}};
+	touches->places.at[touches->places.count++] =
+		(struct touch){at, offs[1], {faces[own], faces[other]},
+			{rounded_up(offs[own]), rounded_up(offs[other])}};
 	return TCS_OK;
 }
 
@@ -197,7 +201,8 @@ ask_vertex(struct look *look, uint32_t corner)
 		return status;
 	look->touching = true;
 	set_met(look->touches, node_at(look, corner), true);
-	return add_place(look, at, least, corner / 3, nearest);
+	return add_place(look, at, (uint32_t[]){corner / 3, nearest},
+		(double[]){0, least});
 }
 
 /* ---- edges that pierce --------------------------------------------------- */
@@ -249,6 +254,15 @@ is_pierced(const struct look *look, uint32_t face, const struct edge *edge,
 		&shape, look->scene->sheets->normals.at[face], *at);
 }
 
+/* How far a place is off the edge, `t` of its length from where it begins. */
+static double
+off_edge(const struct edge *edge, double t)
+{
+	double beyond = t < 0 ? -t : t > 1 ? t - 1 : 0;
+
+	return beyond * vector_length(vector_difference(edge->to, edge->from));
+}
+
 /* The end that lies inside is a boundary vertex. */
 static enum tcs_status
 pierce(struct look *look, const struct edge *edge, uint32_t face)
@@ -266,7 +280,8 @@ pierce(struct look *look, const struct edge *edge, uint32_t face)
 		!is_pierced(look, face, edge, from, to, &at))
 		return TCS_OK;
 	look->touching |= (from < 0) != (to < 0);
-	status = add_place(look, at, 0, corner / 3, face);
+	status = add_place(look, at, (uint32_t[]){corner / 3, face},
+		(double[]){off_edge(edge, from / (from - to)), 0});
 	if (!status)
 		status = add_plane(look,
 			node_at(look,
@@ -316,8 +331,9 @@ compare_edges(struct look *look, const struct edge *edge, uint32_t face)
 		if (gap > reach)
 			continue;
 		look->touching = true;
-		status =
-			add_place(look, points[0], gap, edge->corner / 3, face);
+		status = add_place(look, points[0],
+			(uint32_t[]){edge->corner / 3, face},
+			(double[]){0, gap});
 	}
 	return status;
 }

@@ -23,8 +23,9 @@ enum {
 /* A place along a seam. */
 struct touch {
 	struct tcs_point at; /* as the points of the set */
-	double gap; /* metres */
+	double gap; /* metres, as far as it is from the side not asked */
 	uint32_t faces[2]; /* of components a and b: the nearest */
+	float offs[2]; /* metres; neither is farther from the place */
 };
 
 /* A boundary vertex and a face of another component that it meets. */
