@@ -162,11 +162,11 @@ static bool
 is_held(const struct collapses *work, const struct seam_point *point,
 	const struct holder *own, const struct seam_hold *hold)
 {
-	double limit = point->limit * point->limit;
+	double limit = (double)point->limit * (double)point->limit;
 	struct triangle_shape other;
 	struct tcs_point there;
 
-	if (sqrt(own->square) + (double)hold->off <= point->limit)
+	if (sqrt(own->square) + (double)hold->off <= (double)point->limit)
 		return true;
 	other = face_shape(work, hold->face);
 	if (square_distance(own->at, triangle_nearest(&other, own->at)) <=

@@ -7,6 +7,8 @@
 #include "vector.h"
 #include "weld.h"
 
+enum { MANY_POINTS = 1 << 14 };
+
 enum tcs_status
 component_set_add(struct component_set *set, const struct tcs_point corners[3],
 	uint32_t feature, struct tcs_fault *fault)
@@ -38,6 +40,22 @@ component_set_shape(const struct component_set *set, size_t triangle)
 
 /* ---- building ------------------------------------------------------------ */
 
+/* Give back the room of the points that were others, where it is much. */
+static void
+keep_points(struct component_set *set, size_t count)
+{
+	struct tcs_point *fitting = NULL;
+
+	set->points.count = count;
+	if (count > MANY_POINTS && set->points.room > 2 * count)
+		fitting =
+			realloc(set->points.at, count * sizeof *set->points.at);
+	if (!fitting)
+		return;
+	set->points.at = fitting;
+	set->points.room = count;
+}
+
 static enum tcs_status
 weld(struct component_set *set, struct tcs_fault *fault)
 {
@@ -56,9 +74,9 @@ weld(struct component_set *set, struct tcs_fault *fault)
 
 			*corner = numbers[*corner];
 		}
-	if (!status)
-		set->points.count = distinct;
 	free(numbers);
+	if (!status)
+		keep_points(set, distinct);
 	return status;
 }
 

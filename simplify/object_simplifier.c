@@ -13,7 +13,7 @@ prepare(struct object_simplifier *simplifier,
 	const struct simplify_settings *settings, const struct tcs_object *in,
 	struct tcs_fault *fault)
 {
-	const struct component_set *set = &simplifier->source.set;
+	struct component_set *set = &simplifier->source.set;
 	const struct collapse_settings first = {
 		.base_ratio = settings->base_ratio,
 		.max_error = settings->max_error};
@@ -29,6 +29,7 @@ prepare(struct object_simplifier *simplifier,
 		status = sheets_build(&simplifier->sheets, set, fault);
 	if (status)
 		return status;
+	array_trim(&set->edges.uses);
 	reach = contact_reach(set);
 	status = seams_find(&simplifier->seams, set, &simplifier->sheets, reach,
 		&simplifier->contacts, fault);

@@ -13,7 +13,7 @@
 /* Planes this parallel are one. */
 #define SAME_PLANE 0.999
 
-enum { PAIRS = 256, PIECES = 64 }; /* looked at in one go, and at once */
+enum { PAIRS = 128, PIECES = 16 }; /* looked at in one go, and at once */
 
 /* Two components whose boxes meet. */
 struct box_pair {
@@ -89,7 +89,7 @@ keep_place(struct search *search, const struct touch *touch, uint32_t contact)
 	if (array_grow(&seams->points, 1) || array_grow(&seams->holds, 2))
 		return fault_memory(search->fault);
 	seams->points.at[seams->points.count++] =
-		(struct seam_point){touch->at, limit, contact};
+		(struct seam_point){touch->at, (float)limit, contact};
 	seams->counts.at[contact].points++;
 	for (uint32_t side = 0; side < 2; side++) {
 		uint32_t hold = (uint32_t)seams->holds.count++;

@@ -22,7 +22,7 @@
 
 struct seam_point {
 	struct tcs_point at; /* as the points of the set */
-	double limit; /* metres */
+	float limit; /* metres */
 	uint32_t contact;
 };
 

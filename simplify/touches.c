@@ -22,6 +22,7 @@ struct look {
 	struct touches *touches;
 	uint32_t components[2]; /* a and b */
 	int side; /* the one whose vertices and edges are asked */
+	size_t first_plane; /* of this pair */
 	bool touching;
 	struct tcs_fault *fault;
 };
@@ -107,11 +108,29 @@ add_place(struct look *look, struct tcs_point at, const uint32_t faces[2],
 	return TCS_OK;
 }
 
+/* The planes of one vertex that are added in a row differ. */
+static bool
+is_last_plane(const struct look *look, uint32_t node, uint32_t face)
+{
+	const struct touches *touches = look->touches;
+	const struct tcs_point *normals = look->scene->sheets->normals.at;
+
+	for (size_t i = touches->planes.count;
+		i > look->first_plane && touches->planes.at[i - 1].node == node;
+		i--)
+		if (fabs(vector_dot(normals[touches->planes.at[i - 1].face],
+			    normals[face])) > SAME_PLANE)
+			return true;
+	return false;
+}
+
 static enum tcs_status
 add_plane(struct look *look, uint32_t node, uint32_t face)
 {
 	struct touches *touches = look->touches;
 
+	if (is_last_plane(look, node, face))
+		return TCS_OK;
 	if (array_grow(&touches->planes, 1))
 		return fault_memory(look->fault);
 	touches->planes.at[touches->planes.count++] = (struct touch_plane){
@@ -557,8 +576,9 @@ touches_add(struct touches *touches, const struct touch_scene *scene,
 	struct look look = {.scene = scene,
 		.touches = touches,
 		.components = {a, b},
+		.first_plane = touches->planes.count,
 		.fault = fault};
-	size_t places = touches->places.count, planes = touches->planes.count;
+	size_t places = touches->places.count;
 	struct contact contact = {.a = a, .b = b};
 	enum tcs_status status = clear_met(&look);
 
@@ -568,14 +588,14 @@ touches_add(struct touches *touches, const struct touch_scene *scene,
 		status = compare_all_edges(&look);
 	if (status)
 		return status;
-	forget_met(touches, planes);
+	forget_met(touches, look.first_plane);
 	if (look.touching) {
 		contact.at = touches->places.at[places].at;
 		thin_out(touches, places);
 		return add_contact(touches, &contact, fault);
 	}
 	touches->places.count = places;
-	touches->planes.count = planes;
+	touches->planes.count = look.first_plane;
 	for (int outer = 0; !status && !contact.inside && outer < 2; outer++)
 		status = look_inside(&look, outer, &contact);
 	if (!status && contact.inside)
