@@ -29,7 +29,7 @@ staying_corners(const struct collapses *work, size_t count, size_t i,
 	return nodes[0] != target && nodes[1] != target;
 }
 
-bool
+static bool
 ring_shape(const struct collapses *work, size_t count, size_t i,
 	uint32_t target, struct triangle_shape *shape)
 {
@@ -340,6 +340,7 @@ static enum tcs_status
 check_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 	bool twins, bool *fine, struct tcs_fault *fault)
 {
+	struct watch_ring ring;
 	uint32_t half_edge;
 	size_t count;
 	enum tcs_status status =
@@ -350,8 +351,10 @@ check_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 	if (*fine)
 		status = change_ring(work, count, node_of(work, vertex), target,
 			fine, fault);
+	ring = (struct watch_ring){vertex, work->spokes.at, count, target};
 	if (!status && *fine)
-		*fine = error_watch_allows(work, vertex, count, target);
+		*fine = error_watch_allows(
+			work, &ring, 1, work->positions.at[target]);
 	if (!status && *fine)
 		status = list_moves(work, count, fault);
 	if (!status && *fine && !work->settings.loose)
@@ -401,6 +404,7 @@ collapse_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 	struct tcs_fault *fault)
 {
 	uint32_t half_edge = HALF_EDGE_NONE, gone[2];
+	struct watch_ring ring;
 	size_t count, faces;
 	enum tcs_status status = spokes_of(work, vertex, &count, fault);
 
@@ -409,7 +413,8 @@ collapse_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 			half_edge = work->spokes.at[i].half_edge;
 	if (status || half_edge == HALF_EDGE_NONE)
 		return status;
-	error_watch_follow(work, vertex, count, target);
+	ring = (struct watch_ring){vertex, work->spokes.at, count, target};
+	error_watch_follow(work, &ring, 1, work->positions.at[target]);
 	faces = half_edges_collapse(work->mesh, half_edge, gone);
 	work->face_count -= faces;
 	for (size_t i = 0; i < faces; i++)

@@ -73,6 +73,18 @@ border_cost(const struct collapses *work, uint32_t node, struct tcs_point to)
 }
 
 double
+collapse_cost_at(
+	const struct collapses *work, uint32_t node, struct tcs_point place)
+{
+	struct tcs_point along =
+		vector_difference(place, work->positions.at[node]);
+
+	return quadric_at(&work->quadrics.at[node], place) +
+		border_cost(work, node, place) +
+		SHORTNESS * work->areas.at[node] * vector_dot(along, along);
+}
+
+double
 collapse_cost(const struct collapses *work, uint32_t node, uint32_t target,
 	double bound)
 {
@@ -81,9 +93,7 @@ collapse_cost(const struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_point along =
 		vector_difference(to, work->positions.at[node]);
 	double square = vector_dot(along, along), pull, rest;
-	double cost = quadric_at(&work->quadrics.at[node], to) +
-		border_cost(work, node, to) +
-		SHORTNESS * work->areas.at[node] * square;
+	double cost = collapse_cost_at(work, node, to);
 
 	if (!(cost <= bound) || work->seams->nodes.at[node] == TCS_NONE ||
 		!(square > 0))

@@ -1,4 +1,4 @@
-#include "collapses.h"
+#include "placement.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -84,7 +84,7 @@ static enum tcs_status
 add_candidate(struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_fault *fault)
 {
-	double cost = collapse_cost(work, node, target, INFINITY);
+	double cost = placement_cost(work, node, target, INFINITY);
 
 	if (!(cost < INFINITY))
 		return TCS_OK;
@@ -149,7 +149,7 @@ judge_node(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 
 		if (there.node == node)
 			continue;
-		there.cost = collapse_cost(work, node, there.node, best.cost);
+		there.cost = placement_cost(work, node, there.node, best.cost);
 		if (there.cost < INFINITY && is_cheaper(&there, &best))
 			best = there;
 	}
@@ -171,7 +171,7 @@ judge_again(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 	for (size_t i = 0; !status && !fine && i < work->candidates.count;
 		i++) {
 		best = work->candidates.at[i];
-		status = collapse_check(work, node, best.node, &fine, fault);
+		status = placement_check(work, node, best.node, &fine, fault);
 	}
 	aim(work, node, fine ? best : (struct queue_entry){INFINITY, TCS_NONE});
 	return status;
@@ -192,17 +192,36 @@ update(struct collapses *work, uint32_t node, uint32_t gone, uint32_t target,
 	now = work->queue.heap.at[work->queue.places.at[node]];
 	now.node = aimed;
 	there = (struct queue_entry){
-		collapse_cost(work, node, target, now.cost), target};
+		placement_cost(work, node, target, now.cost), target};
 	if (is_cheaper(&there, &now))
 		aim(work, node, there);
 	return TCS_OK;
+}
+
+/* What a node costs its neighbours has changed, for it has moved. */
+static enum tcs_status
+judge_around(struct collapses *work, uint32_t node, struct tcs_fault *fault)
+{
+	uint32_t vertex = work->sheets->nodes.at[node].first_vertex;
+	size_t count;
+	enum tcs_status status = spokes_of(work, vertex, &count, fault);
+
+	work->touched.count = 0;
+	if (!status && array_grow(&work->touched, count))
+		return fault_memory(fault);
+	for (size_t i = 0; !status && i < count; i++)
+		work->touched.at[work->touched.count++] =
+			node_of(work, work->spokes.at[i].to);
+	for (size_t i = 0; !status && i < work->touched.count; i++)
+		status = judge_node(work, work->touched.at[i], fault);
+	return status;
 }
 
 static enum tcs_status
 collapse(struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_fault *fault)
 {
-	enum tcs_status status = collapse_do(work, node, target, fault);
+	enum tcs_status status = placement_do(work, node, target, fault);
 
 	aim(work, node, (struct queue_entry){INFINITY, TCS_NONE});
 	for (size_t i = 0; !status && i < work->touched.count; i++) {
@@ -213,6 +232,8 @@ collapse(struct collapses *work, uint32_t node, uint32_t target,
 		else if (other != node)
 			status = update(work, other, node, target, fault);
 	}
+	if (!status && work->settings.optimal)
+		status = judge_around(work, target, fault);
 	return status;
 }
 
@@ -230,7 +251,7 @@ collapses_run(struct collapses *work, size_t faces, double dearest,
 		uint32_t target = work->targets.at[node];
 		bool fine;
 
-		status = collapse_check(work, node, target, &fine, fault);
+		status = placement_check(work, node, target, &fine, fault);
 		if (status)
 			break;
 		if (fine)
@@ -291,6 +312,8 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 			settings->max_error > 0 ? settings->max_error
 						: INFINITY,
 			set, sheets, fault);
+	if (!status && settings->optimal)
+		status = placement_begin(work, fault);
 	if (status)
 		return status;
 	collapses_weigh(work);
@@ -330,6 +353,7 @@ collapses_release(struct collapses *work)
 	array_release(&work->quadrics);
 	array_release(&work->borders);
 	array_release(&work->areas);
+	array_release(&work->fixed);
 	array_release(&work->targets);
 	array_release(&work->features);
 	array_release(&work->surfaces);

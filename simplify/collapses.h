@@ -19,6 +19,7 @@ struct collapse_settings {
 	double base_ratio; /* of the cost of moving a boundary vertex; >= 1 */
 	bool loose; /* seams may come open as long as one point holds, borders
 	               between surfaces may move, surfaces may vanish */
+	bool optimal; /* see placement.h; as it began */
 	double max_error; /* metres, see error_watch.h; as it began; 0: any */
 };
 
@@ -47,6 +48,7 @@ struct collapses {
 	TCS_ARRAY(struct quadric) quadrics; /* per node */
 	TCS_ARRAY(struct quadric) borders; /* per node: of its surfaces */
 	TCS_ARRAY(double) areas; /* per node: of its faces, square metres */
+	TCS_ARRAY(bool) fixed; /* per node, see placement.h */
 	TCS_ARRAY(uint32_t) targets; /* per node: the best; TCS_NONE */
 	TCS_ARRAY(uint32_t) features; /* per face: its surface */
 	TCS_ARRAY(uint32_t) surfaces; /* per feature: its faces left */
@@ -119,14 +121,6 @@ node_of(const struct collapses *work, uint32_t vertex)
 enum tcs_status spokes_of(struct collapses *work, uint32_t vertex,
 	size_t *count, struct tcs_fault *fault) TCS_CHECKED;
 
-/*
- * Face i of the ring of a vertex, whose `count` spokes are in work->spokes,
- * once the vertex is where `target` is, the first corner; false where there is
- * none, or none that stays.
- */
-bool ring_shape(const struct collapses *work, size_t count, size_t i,
-	uint32_t target, struct triangle_shape *shape);
-
 /* Whether the edge of a corner that has a face behind it is sharp, as the mesh
    came. */
 bool edge_is_sharp(const struct collapses *work, size_t corner);
@@ -135,6 +129,10 @@ bool edge_is_sharp(const struct collapses *work, size_t corner);
    where it may not be. What is more than `bound` may be less than it costs. */
 double collapse_cost(const struct collapses *work, uint32_t node,
 	uint32_t target, double bound);
+
+/* The part of it that is due to the shape: what a node costs at a place. */
+double collapse_cost_at(
+	const struct collapses *work, uint32_t node, struct tcs_point place);
 
 /*
  * Whether it may be done: the mesh stays manifold, no face turns over or

@@ -66,6 +66,7 @@ error_watch_begin(struct error_watch *watch, double limit,
 	size_t points = sheets->vertex_nodes.count + POINTS_OF_FACE * faces;
 
 	watch->limit = limit;
+	watch->paused = false;
 	array_clear(&watch->faces);
 	array_clear(&watch->next);
 	if (!(limit < INFINITY))
@@ -80,6 +81,8 @@ error_watch_begin(struct error_watch *watch, double limit,
 	watch->next.count = points;
 	for (size_t i = 0; i < faces; i++)
 		watch->faces.at[i] = TCS_NONE;
+	for (uint32_t i = 0; i < sheets->vertex_nodes.count; i++)
+		watch->next.at[i] = i;
 	for (uint32_t i = 0; i < faces; i++)
 		hold_own(watch, sheets, i);
 	return grow_trees(watch, set, fault);
@@ -105,52 +108,88 @@ first_place(const struct collapses *work, uint32_t point)
 		: triangle_centre(&shape);
 }
 
+/* Rings, and where their vertices go. */
+struct move {
+	const struct collapses *work;
+	const struct watch_ring *rings;
+	size_t count;
+	struct tcs_point place;
+};
+
+static bool
+is_watched(const struct collapses *work)
+{
+	return work->watch.limit < INFINITY && !work->watch.paused;
+}
+
+/* Face i of a ring once its vertex has moved; false where none stays. */
+static bool
+moved_shape(const struct move *move, const struct watch_ring *ring, size_t i,
+	struct triangle_shape *shape)
+{
+	const struct spoke *spoke = &ring->spokes[i];
+	const struct spoke *next = &ring->spokes[(i + 1) % ring->count];
+	const struct tcs_point *positions = move->work->positions.at;
+	uint32_t a = node_of(move->work, spoke->to);
+	uint32_t b = node_of(move->work, next->to);
+
+	if (spoke->face == HALF_EDGE_NONE || a == ring->without ||
+		b == ring->without)
+		return false;
+	*shape = (struct triangle_shape){
+		{move->place, positions[a], positions[b]}};
+	return true;
+}
+
 /* ---- what is gone -------------------------------------------------------- */
 
-/* The face of the changed ring that is nearest to a point, if it is within the
-   limit; TCS_NONE. */
+/* The moved face that is nearest to a point, if it is within the limit;
+   TCS_NONE. */
 static uint32_t
-nearest_face(const struct collapses *work, size_t count, uint32_t target,
-	struct tcs_point point)
+nearest_face(const struct move *move, struct tcs_point point)
 {
-	double least = work->watch.limit * work->watch.limit;
+	double least = move->work->watch.limit * move->work->watch.limit;
 	uint32_t best = TCS_NONE;
 
-	for (size_t i = 0; i < count; i++) {
-		struct triangle_shape shape;
-		struct tcs_point away;
-		double square;
+	for (size_t r = 0; r < move->count; r++)
+		for (size_t i = 0; i < move->rings[r].count; i++) {
+			struct triangle_shape shape;
+			struct tcs_point away;
+			double square;
 
-		if (!ring_shape(work, count, i, target, &shape))
-			continue;
-		away = vector_difference(
-			triangle_nearest(&shape, point), point);
-		square = vector_dot(away, away);
-		if (square <= least) {
-			least = square;
-			best = work->spokes.at[i].face;
+			if (!moved_shape(move, &move->rings[r], i, &shape))
+				continue;
+			away = vector_difference(
+				triangle_nearest(&shape, point), point);
+			square = vector_dot(away, away);
+			if (square <= least) {
+				least = square;
+				best = move->rings[r].spokes[i].face;
+			}
 		}
-	}
 	return best;
 }
 
 static bool
-keeps_the_gone(const struct collapses *work, uint32_t vertex, size_t count,
-	uint32_t target)
+is_kept(const struct move *move, uint32_t point)
 {
-	const struct error_watch *watch = &work->watch;
+	return nearest_face(move, first_place(move->work, point)) != TCS_NONE;
+}
 
-	if (nearest_face(work, count, target, first_place(work, vertex)) ==
-		TCS_NONE)
+static bool
+ring_keeps_the_gone(const struct move *move, const struct watch_ring *ring)
+{
+	const struct error_watch *watch = &move->work->watch;
+
+	if (!is_kept(move, ring->vertex))
 		return false;
-	for (size_t i = 0; i < count; i++) {
-		uint32_t face = work->spokes.at[i].face, gone;
+	for (size_t i = 0; i < ring->count; i++) {
+		uint32_t face = ring->spokes[i].face, gone;
 
 		gone = face == HALF_EDGE_NONE ? TCS_NONE
 					      : watch->faces.at[face];
 		for (; gone != TCS_NONE; gone = watch->next.at[gone])
-			if (nearest_face(work, count, target,
-				    first_place(work, gone)) == TCS_NONE)
+			if (!is_kept(move, gone))
 				return false;
 	}
 	return true;
@@ -178,7 +217,7 @@ face_is_near(const struct collapses *work, uint32_t face,
 	const struct tcs_point *corner = shape->corner;
 
 	for (int k = 1; k < 3; k++)
-		for (int part = 1; part < 4; part++)
+		for (int part = 0; part < 4; part++)
 			if (!is_near(work, face,
 				    vector_along(corner[0],
 					    vector_difference(
@@ -188,37 +227,47 @@ face_is_near(const struct collapses *work, uint32_t face,
 	return is_near(work, face, triangle_centre(shape));
 }
 
-bool
-error_watch_allows(const struct collapses *work, uint32_t vertex, size_t count,
-	uint32_t target)
+static bool
+ring_is_near(const struct move *move, const struct watch_ring *ring)
 {
-	if (!(work->watch.limit < INFINITY))
-		return true;
-	if (!keeps_the_gone(work, vertex, count, target))
-		return false;
-	for (size_t i = 0; i < count; i++) {
+	for (size_t i = 0; i < ring->count; i++) {
 		struct triangle_shape shape;
 
-		if (ring_shape(work, count, i, target, &shape) &&
-			!face_is_near(work, work->spokes.at[i].face, &shape))
+		if (moved_shape(move, ring, i, &shape) &&
+			!face_is_near(move->work, ring->spokes[i].face, &shape))
 			return false;
 	}
 	return true;
 }
 
-void
-error_watch_follow(
-	struct collapses *work, uint32_t vertex, size_t count, uint32_t target)
+bool
+error_watch_allows(const struct collapses *work, const struct watch_ring *rings,
+	size_t count, struct tcs_point place)
 {
-	struct error_watch *watch = &work->watch;
-	uint32_t gone = vertex, next;
+	const struct move move = {work, rings, count, place};
 
-	if (!(watch->limit < INFINITY))
-		return;
-	/* All that the ring held, as one list; then each to its new face. */
-	watch->next.at[vertex] = TCS_NONE;
-	for (size_t i = 0; i < count; i++) {
-		uint32_t face = work->spokes.at[i].face, held;
+	if (!is_watched(work))
+		return true;
+	for (size_t i = 0; i < count; i++)
+		if (!ring_keeps_the_gone(&move, &rings[i]))
+			return false;
+	for (size_t i = 0; i < count; i++)
+		if (!ring_is_near(&move, &rings[i]))
+			return false;
+	return true;
+}
+
+/* ---- doing it ------------------------------------------------------------ */
+
+/* Put all that a ring holds before `gone`, and its vertex, unless that was
+   moved before and is held already. */
+static uint32_t
+let_go(struct error_watch *watch, const struct watch_ring *ring, uint32_t gone)
+{
+	uint32_t next;
+
+	for (size_t i = 0; i < ring->count; i++) {
+		uint32_t face = ring->spokes[i].face, held;
 
 		if (face == HALF_EDGE_NONE)
 			continue;
@@ -230,13 +279,30 @@ error_watch_follow(
 		}
 		watch->faces.at[face] = TCS_NONE;
 	}
-	for (; gone != TCS_NONE; gone = next) {
-		uint32_t face = nearest_face(
-			work, count, target, first_place(work, gone));
+	if (watch->next.at[ring->vertex] != ring->vertex)
+		return gone;
+	watch->next.at[ring->vertex] = gone;
+	return ring->vertex;
+}
 
-		next = watch->next.at[gone];
+void
+error_watch_follow(struct collapses *work, const struct watch_ring *rings,
+	size_t count, struct tcs_point place)
+{
+	const struct move move = {work, rings, count, place};
+	uint32_t gone = TCS_NONE, next;
+
+	if (!is_watched(work))
+		return;
+	for (size_t i = 0; i < count; i++)
+		gone = let_go(&work->watch, &rings[i], gone);
+	for (; gone != TCS_NONE; gone = next) {
+		uint32_t face = nearest_face(&move, first_place(work, gone));
+
+		next = work->watch.next.at[gone];
+		work->watch.next.at[gone] = TCS_NONE;
 		if (face != TCS_NONE)
-			hold(watch, face, gone);
+			hold(&work->watch, face, gone);
 	}
 }
 

@@ -19,8 +19,11 @@ struct collapses;
 /* All zero is empty; reused from object to object. */
 struct error_watch {
 	double limit; /* metres; INFINITY: nothing is watched */
+	bool paused; /* for those who watch two rings as one */
 	TCS_ARRAY(uint32_t) faces; /* per face: its first point; TCS_NONE */
-	TCS_ARRAY(uint32_t) next; /* per point: of the same face; TCS_NONE */
+	/* Per point: the next of the same face; TCS_NONE; a vertex that is still
+	   there: itself. */
+	TCS_ARRAY(uint32_t) next;
 	struct triangle_tree tree; /* over the original, by component */
 	TCS_ARRAY(uint32_t) roots; /* per component: in the tree */
 };
@@ -31,14 +34,22 @@ enum tcs_status error_watch_begin(struct error_watch *watch, double limit,
 	const struct component_set *set, const struct sheets *sheets,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/* Whether a vertex, whose `count` spokes are in work->spokes, may move to the
-   node `target`. */
-bool error_watch_allows(const struct collapses *work, uint32_t vertex,
-	size_t count, uint32_t target);
+/* The faces around a vertex. */
+struct watch_ring {
+	uint32_t vertex;
+	const struct spoke *spokes;
+	size_t count;
+	uint32_t without; /* node: faces that have it, too, go */
+};
 
-/* It is about to. */
-void error_watch_follow(
-	struct collapses *work, uint32_t vertex, size_t count, uint32_t target);
+/* Whether all faces of the rings that stay may have their vertices at `place`
+   instead. */
+bool error_watch_allows(const struct collapses *work,
+	const struct watch_ring *rings, size_t count, struct tcs_point place);
+
+/* They are about to. */
+void error_watch_follow(struct collapses *work, const struct watch_ring *rings,
+	size_t count, struct tcs_point place);
 
 void error_watch_release(struct error_watch *watch);
 

@@ -16,6 +16,7 @@ prepare(struct object_simplifier *simplifier,
 	struct component_set *set = &simplifier->source.set;
 	const struct collapse_settings first = {
 		.base_ratio = settings->base_ratio,
+		.optimal = settings->placement == PLACE_OPTIMAL,
 		.max_error = settings->max_error};
 	enum tcs_status status;
 	double reach;

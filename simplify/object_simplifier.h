@@ -21,12 +21,15 @@ struct simplify_level {
 	int lod; /* 0…4, or LOD_IN_PLACE */
 };
 
+enum placement { PLACE_HALF_EDGE, PLACE_OPTIMAL }; /* see placement.h */
+
 struct simplify_settings {
 	struct simplify_level levels[SIMPLIFY_LEVELS]; /* each leaves
 	                                                  less than the last */
 	size_t level_count;
 	int source; /* level that is simplified, see lod_select.h */
 	double base_ratio; /* of the cost of a boundary vertex */
+	enum placement placement;
 	double max_error; /* metres, see error_watch.h; 0: any */
 	struct tcs_crs crs;
 };

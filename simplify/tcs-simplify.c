@@ -290,6 +290,10 @@ main(int argc, char **argv)
 			"Make placed prototypes geometry of the objects, and "
 			"simplify it with them.",
 			&options.expand, 0, 0, NULL},
+		{OPTION_CHOICE, 0, "placement", "half-edge|optimal",
+			"Leave vertices where they are, or move what touches "
+			"nothing to the best place (default: half-edge).",
+			&options.settings.placement, 0, 0, NULL},
 		{OPTION_NUMBER, 0, "a", "RATIO",
 			"How much dearer boundary vertices are (default: 2).",
 			&options.settings.base_ratio, 1, 1000, NULL},

@@ -92,7 +92,8 @@ make_object(struct tcs_object *object, const uint8_t *data, size_t size)
 }
 
 static void
-simplify(const struct tcs_object *object, bool in_place)
+simplify(const struct tcs_object *object, bool in_place,
+	enum placement placement, double max_error)
 {
 	struct simplify_settings settings = {
 		.levels = {{{BUDGET_RATE, 0.4}, in_place ? LOD_IN_PLACE : 2},
@@ -100,6 +101,8 @@ simplify(const struct tcs_object *object, bool in_place)
 		.level_count = in_place ? 1 : 2,
 		.source = SELECT_HIGHEST,
 		.base_ratio = 2,
+		.placement = placement,
+		.max_error = max_error,
 		.crs = {.metres_per_unit = 1, .metres_per_unit_up = 1}};
 	struct object_simplifier simplifier = {0};
 	struct report report = {0};
@@ -123,8 +126,9 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
 	make_object(&object, data, size);
 	require(!object_check(&object, &fault));
-	simplify(&object, true);
-	simplify(&object, false);
+	simplify(&object, true, PLACE_HALF_EDGE, 0);
+	simplify(&object, false, PLACE_OPTIMAL, 0);
+	simplify(&object, true, PLACE_OPTIMAL, 0.7);
 	object_release(&object);
 	return 0;
 }
