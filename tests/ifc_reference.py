@@ -4,13 +4,14 @@ standard input, with those of FILE in a table of boxes and volumes.
 Prints a line for each product of the table: agrees, box, volume or missing,
 then its id, type, and how far off it is. A product agrees when its box is the
 table's within a millimetre and its volume, where the table has one, within a
-thousandth.
+thousandth; where that is 0, as a sheet's, within a millionth of the box.
 """
 import json
 import sys
 
 BOX = 0.001
 VOLUME = 0.001
+FLAT = 1e-6
 
 
 class Measure:
@@ -27,6 +28,11 @@ class Measure:
                 self.lower[i] = min(self.lower[i], point[i])
                 self.upper[i] = max(self.upper[i], point[i])
         self.triangles.append(corners)
+
+    def box(self):
+        """The volume of the box."""
+        x, y, z = (self.upper[i] - self.lower[i] for i in range(3))
+        return x * y * z
 
     def volume(self):
         origin = self.triangles[0][0]
@@ -90,7 +96,8 @@ def judge(row, measure):
         return "box", f"{off:.6g}"
     if row[9]:
         want, have = float(row[9]), measure.volume()
-        if abs(have - want) > VOLUME * abs(want):
+        slack = VOLUME * abs(want) if want else FLAT * measure.box()
+        if abs(have - want) > slack:
             return "volume", f"{have:.9g} for {want:.9g}"
     return "agrees", ""
 
