@@ -114,40 +114,82 @@ cut_judge(struct ifc_shaper *shaper, uint32_t item,
 	return outcome;
 }
 
-enum ifc_outcome
-ifc_cut_run(struct ifc_shaper *shaper, uint32_t item, struct ifc_cut *cut,
-	bool *open)
+/* Carry out a task on the host, and let the host be what comes out. */
+static enum ifc_outcome
+task_run(struct ifc_shaper *shaper, struct ifc_cut *cut,
+	struct solid_task *task, struct solid_report *report)
 {
-	struct solid_task task = {.operation = cut->operation,
-		.host = &cut->host,
-		.tool_count = cut->tools.count,
-		.half_spaces = cut->half_spaces.at,
-		.half_space_count = cut->half_spaces.count,
-		.tolerance = SOLID_TOLERANCE / shaper->unit};
-	const struct solid **tools;
-	struct solid_report report;
 	struct tcs_fault fault;
 	struct solid swap;
 
 	if (!shaper->scratch->cutter)
 		shaper->scratch->cutter = solid_cutter_new();
-	tools = malloc((cut->tools.count + 1) * sizeof *tools);
-	if (!tools || !shaper->scratch->cutter) {
-		free(tools);
+	if (!shaper->scratch->cutter)
 		return IFC_NO_MEMORY;
-	}
-	for (size_t i = 0; i < cut->tools.count; i++)
-		tools[i] = cut->tools.at + i;
-	task.tools = tools;
-	if (solid_cut(shaper->scratch->cutter, &task, &cut->result, &report,
-		    NULL, &fault)) {
-		free(tools);
+	task->operation = cut->operation;
+	task->host = &cut->host;
+	task->tolerance = SOLID_TOLERANCE / shaper->unit;
+	if (solid_cut(shaper->scratch->cutter, task, &cut->result, report, NULL,
+		    &fault))
 		return IFC_NO_MEMORY;
-	}
-	free(tools);
-	*open = report.outcome == SOLID_OPEN;
 	swap = cut->host;
 	cut->host = cut->result;
 	cut->result = swap;
+	return IFC_SHAPED;
+}
+
+/* One after the other, so that those cut that can be. */
+static enum ifc_outcome
+each_run(struct ifc_shaper *shaper, uint32_t item, struct ifc_cut *cut,
+	bool *open)
+{
+	size_t tools = cut->tools.count;
+	enum ifc_outcome outcome = IFC_SHAPED;
+
+	*open = false;
+	for (size_t i = 0; i < tools + cut->half_spaces.count && !outcome;
+		i++) {
+		const struct solid *tool = cut->tools.at + i;
+		struct solid_task task = {.tools = &tool, .tool_count = 1};
+		struct solid_report report;
+
+		if (i >= tools)
+			task = (struct solid_task){
+				.half_spaces = cut->half_spaces.at + i - tools,
+				.half_space_count = 1};
+		outcome = task_run(shaper, cut, &task, &report);
+		if (!outcome)
+			outcome = cut_judge(shaper, item, &report);
+		*open |= !outcome && report.outcome == SOLID_OPEN;
+	}
+	return outcome;
+}
+
+enum ifc_outcome
+ifc_cut_run(struct ifc_shaper *shaper, uint32_t item, struct ifc_cut *cut,
+	bool *open)
+{
+	struct solid_task task = {.tool_count = cut->tools.count,
+		.half_spaces = cut->half_spaces.at,
+		.half_space_count = cut->half_spaces.count};
+	const struct solid **tools =
+		malloc((cut->tools.count + 1) * sizeof *tools);
+	struct solid_report report;
+	enum ifc_outcome outcome;
+
+	if (!tools)
+		return IFC_NO_MEMORY;
+	for (size_t i = 0; i < cut->tools.count; i++)
+		tools[i] = cut->tools.at + i;
+	task.tools = tools;
+	outcome = task_run(shaper, cut, &task, &report);
+	free(tools);
+	if (outcome)
+		return outcome;
+	if (report.outcome == SOLID_REFUSED &&
+		cut->operation != SOLID_INTERSECTION &&
+		cut->tools.count + cut->half_spaces.count > 1)
+		return each_run(shaper, item, cut, open);
+	*open = report.outcome == SOLID_OPEN;
 	return cut_judge(shaper, item, &report);
 }

@@ -38,9 +38,10 @@ enum ifc_outcome ifc_solid_faces(struct ifc_shaper *shaper,
 struct solid *ifc_cut_tool(struct ifc_cut *cut);
 
 /*
- * Carry the cut out: the result becomes the host. Where the kernel refuses, or
- * leaves tools out, a remark is made about `item` and the host stays as it is,
- * or is cut by the others. *open says that the host is not closed.
+ * Carry the cut out: the result becomes the host. Where the kernel refuses to
+ * do all at once, it is asked for one tool or half-space after the other. For
+ * what it refuses even so, or leaves out, a remark is made about `item`; the
+ * host is cut by the others. *open says that the host is not closed.
  */
 enum ifc_outcome ifc_cut_run(struct ifc_shaper *shaper, uint32_t item,
 	struct ifc_cut *cut, bool *open) TCS_CHECKED;

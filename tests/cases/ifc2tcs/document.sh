@@ -43,3 +43,14 @@ product() {
 	#${id}3=IFCRELCONTAINEDINSPATIALSTRUCTURE('R$id',\$,\$,\$,(#$id),#7);
 	END
 }
+
+# measured FILE [OPTION...]: the box and the volume of each product.
+measured() {
+	ifc2tcs -o out.tcs "$@" && tcs2json out.tcs | python3 -c '
+import json, sys
+sys.path.insert(0, sys.argv[1])
+import ifc_reference
+for name, found in sorted(ifc_reference.measures(sys.stdin).items()):
+    print(name, *(round(v, 4) + 0.0 for v in found.lower + found.upper),
+          round(found.volume(), 6) + 0.0)' "$ROOT/tests"
+}
