@@ -343,10 +343,7 @@ convert(struct composer *composer, uint32_t index, uint32_t xal, bool from_3)
 	const char *found[PART_COUNT] = {0};
 	struct markup *markup = &composer->out->markup;
 
-	if (find_parts(composer, xal, from_3, found))
-		compose_lose(composer, "part of an address",
-			"the other version of xAL has another place for it",
-			composer->nodes.at[0].id);
+	find_parts(composer, xal, from_3, found);
 	markup_start(markup, "core", "Address");
 	write_id(composer, attribute_at(composer, xal)->parent, "core");
 	markup_start(markup, "core", "xalAddress");
@@ -359,21 +356,40 @@ convert(struct composer *composer, uint32_t index, uint32_t xal, bool from_3)
 	markup_end(markup, "core", "Address");
 }
 
+/* The xAL of an address that is of the other version; TCS_NONE for none. */
+static uint32_t
+xal_to_convert(const struct composer *composer, uint32_t index)
+{
+	const char *theirs =
+		compose_is_3(composer) ? "AddressDetails" : "Address";
+	uint32_t address = value_member(composer, index, "Address");
+	uint32_t xal = value_member(composer, address, "xalAddress");
+
+	return xal != TCS_NONE &&
+			value_member(composer, xal, theirs) != TCS_NONE
+		? xal
+		: TCS_NONE;
+}
+
+bool
+address_is_shortened(const struct composer *composer, uint32_t index)
+{
+	const char *found[PART_COUNT] = {0};
+
+	return xal_to_convert(composer, index) != TCS_NONE &&
+		find_parts(composer, index, !compose_is_3(composer), found);
+}
+
 void
 address_write(struct composer *composer, const struct item *item)
 {
 	const struct property *property = compose_property(composer, item);
 	const char *module = compose_module(composer, item->feature, property);
-	uint32_t address = value_member(composer, item->index, "Address");
-	uint32_t xal = value_member(composer, address, "xalAddress");
-	bool from_3 = xal != TCS_NONE &&
-		value_member(composer, xal, "Address") != TCS_NONE;
-	bool from_2 = xal != TCS_NONE &&
-		value_member(composer, xal, "AddressDetails") != TCS_NONE;
+	uint32_t xal = xal_to_convert(composer, item->index);
 
 	markup_start(&composer->out->markup, module, property->name);
-	if (compose_is_3(composer) ? from_2 : from_3)
-		convert(composer, item->index, xal, from_3);
+	if (xal != TCS_NONE)
+		convert(composer, item->index, xal, !compose_is_3(composer));
 	else
 		members_write(composer, item->index, "core");
 	markup_end(&composer->out->markup, module, property->name);

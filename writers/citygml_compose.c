@@ -230,7 +230,9 @@ write_relation(struct composer *composer, const struct item *item)
 static void
 write_group_member(struct composer *composer, const struct item *item)
 {
-	link_write(composer, item, composer->nodes.at[item->index].id, "");
+	const struct node *node = &composer->nodes.at[item->index];
+
+	link_write(composer, item, node->id, node->note ? node->note : "");
 }
 
 /* A level of detail of the object, or "lane". */
@@ -395,6 +397,9 @@ step(struct composer *composer, struct tcs_fault *fault)
 	}
 	child_property(composer, item->index, &module, &name);
 	markup_start(&composer->out->markup, module, name);
+	if (composer->nodes.at[item->index].note)
+		markup_attribute(&composer->out->markup, "role",
+			composer->nodes.at[item->index].note);
 	return open_feature(composer, item->index, fault);
 }
 

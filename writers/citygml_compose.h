@@ -10,6 +10,8 @@
  *     citygml_shelter.c    features that are not in the stream
  *     citygml_compose.c    features, from the top down
  *     citygml_naming.c     ids
+ *     citygml_value_tree.c attributes as a tree
+ *     citygml_group_roles.c  roles of members of groups
  *     citygml_values.c     simple and structured attributes
  *     citygml_spelling.c   values as the schema spells them
  *     citygml_generic.c    generic attributes
@@ -71,6 +73,7 @@ struct node {
 	const struct schema_class *class;
 	const char *module; /* that of the class, or of the host of a surface */
 	const char *id; /* NULL: none */
+	const char *note; /* its role as a member of a group; NULL: none */
 	uint32_t parent; /* the written feature around it; TCS_NONE */
 	uint32_t host; /* itself, or for a surface what it bounds */
 	uint32_t first_item, item_end;
@@ -78,6 +81,7 @@ struct node {
 	uint64_t taken; /* bit n: property n has its geometry */
 	uint8_t lods[8]; /* of a host: where each LOD goes; by its number */
 	uint16_t number; /* of the class */
+	bool has_roles; /* a group: its members have their roles as notes */
 	bool melted; /* not written: what is below belongs to the parent */
 	bool spread; /* a group: what was below it hangs by the parent */
 	bool inside; /* said to be inside its construction */
@@ -393,6 +397,46 @@ enum tcs_status pieces_name(
 enum tcs_status place_prototype(
 	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
 
+/* ---- citygml_value_tree.c ----------------------------------------------- */
+
+/* Fill in first_member and next_member. */
+enum tcs_status value_link_members(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The member of a set called `name`; TCS_NONE for none. */
+uint32_t value_member(
+	const struct composer *composer, uint32_t set, const char *name);
+
+/* The same in an external reference of 2.0 or 3.0. */
+uint32_t value_deep_member(
+	const struct composer *composer, uint32_t set, const char *name);
+
+/* What an external reference is to, which it cannot be written without; NULL
+ * for nothing. */
+const char *value_external_target(
+	const struct composer *composer, uint32_t set, bool *by_name);
+
+/* A member of a group as 3.0 has it: its link, NULL for none, and its role. */
+const char *value_role_target(
+	const struct composer *composer, uint32_t set, const char **note);
+
+/* The value of a height that measuredHeight may stand for; TCS_NONE. */
+uint32_t value_measured(const struct composer *composer, uint32_t set);
+
+/*
+ * Roles of members that stand in their group: its attributes that say nothing
+ * but a role, one for each such member, in their order. They become the nodes'
+ * notes; where they are more or fewer, nobody knows whose they are. Fails with
+ * TCS_NO_MEMORY.
+ */
+enum tcs_status value_find_roles(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+bool value_is_role(const struct composer *composer, uint32_t attribute);
+
+/* A member that is an XML attribute; whether others are elements. */
+bool value_is_xml_attribute(const struct composer *composer, uint32_t member);
+bool value_has_elements(const struct composer *composer, uint32_t set);
+
 /* ---- citygml_values.c, citygml_spelling.c ------------------------------------------------------ */
 
 /*
@@ -411,10 +455,6 @@ const char *value_as(struct composer *composer,
 bool value_is_shortened(const struct composer *composer,
 	const struct tcs_attribute *attribute, unsigned content);
 
-/* The member of a set called `name`; TCS_NONE for none. */
-uint32_t value_member(
-	const struct composer *composer, uint32_t set, const char *name);
-
 /* ---- citygml_generic.c --------------------------------------------------- */
 
 void generic_write(struct composer *composer, uint32_t attribute);
@@ -425,6 +465,8 @@ void generic_write_string(
 /* ---- citygml_address.c --------------------------------------------------- */
 
 void address_write(struct composer *composer, const struct item *item);
+/* Whether the other version of xAL has no place for parts of it. */
+bool address_is_shortened(const struct composer *composer, uint32_t attribute);
 /* Elements below a structured value, as the attribute tree has them. */
 void members_write(struct composer *composer, uint32_t set, const char *module);
 

@@ -3,51 +3,6 @@
 
 #include "citygml_compose.h"
 
-/* ---- the attribute tree ----------------------------------------------------- */
-
-static enum tcs_status
-link_members(struct composer *composer, struct tcs_fault *fault)
-{
-	const struct tcs_object *object = &composer->object;
-	uint32_t count = (uint32_t)object->attributes.count;
-
-	array_clear(&composer->first_member);
-	array_clear(&composer->next_member);
-	array_clear(&composer->last_member);
-	if (array_grow(&composer->first_member, count) ||
-		array_grow(&composer->next_member, count) ||
-		array_grow(&composer->last_member, count))
-		return fault_memory(fault);
-	for (uint32_t i = 0; i < count; i++) {
-		uint32_t set = object->attributes.at[i].parent;
-
-		composer->first_member.at[i] = TCS_NONE;
-		composer->next_member.at[i] = TCS_NONE;
-		if (set == TCS_NONE)
-			continue;
-		if (composer->first_member.at[set] == TCS_NONE)
-			composer->first_member.at[set] = i;
-		else
-			composer->next_member
-				.at[composer->last_member.at[set]] = i;
-		composer->last_member.at[set] = i;
-	}
-	return TCS_OK;
-}
-
-uint32_t
-value_member(const struct composer *composer, uint32_t set, const char *name)
-{
-	uint32_t member = composer->first_member.at[set];
-
-	while (member != TCS_NONE &&
-		strcmp(compose_text(composer,
-			       composer->object.attributes.at[member].name),
-			name))
-		member = composer->next_member.at[member];
-	return member;
-}
-
 /* ---- places --------------------------------------------------------------------- */
 
 /* What an attribute is called in the other versions. */
@@ -70,90 +25,12 @@ name_in_version(const struct composer *composer, const char *name)
 	return name;
 }
 
-/* An external reference without a target cannot be written as one. */
-static const char *
-external_target(const struct composer *composer, uint32_t set, bool *by_name)
-{
-	static const char *const inside[] = {
-		"externalObject", "ExternalReference"};
-	static const char *const names[] = {"uri", "targetResource", "name"};
-
-	for (size_t i = 0; i < 3; i++) {
-		uint32_t member = set;
-
-		if (i < 2) {
-			member = value_member(composer, set, inside[i]);
-			if (member == TCS_NONE)
-				continue;
-		}
-		for (size_t j = 0; j < 3; j++) {
-			uint32_t at = value_member(composer, member, names[j]);
-
-			if (at == TCS_NONE)
-				continue;
-			*by_name = j == 2;
-			return compose_text(composer,
-				composer->object.attributes.at[at].value);
-		}
-	}
-	return NULL;
-}
-
-static uint32_t
-deep_member(const struct composer *composer, uint32_t set, const char *name)
-{
-	uint32_t inner = value_member(composer, set, "ExternalReference");
-
-	return value_member(composer, inner == TCS_NONE ? set : inner, name);
-}
-
-/* A member of a group as 3.0 has it: its link, and its role if it has one. */
-static const char *
-role_target(const struct composer *composer, uint32_t set, const char **note)
-{
-	const struct tcs_attribute *attributes = composer->object.attributes.at;
-	uint32_t role = value_member(composer, set, "Role");
-	uint32_t member, href;
-
-	if (role == TCS_NONE)
-		return NULL;
-	member = value_member(composer, role, "groupMember");
-	if (member == TCS_NONE)
-		return NULL;
-	href = value_member(composer, member, "@href");
-	role = value_member(composer, role, "role");
-	*note = role == TCS_NONE
-		? ""
-		: compose_text(composer, attributes[role].value);
-	return href == TCS_NONE
-		? NULL
-		: compose_text(composer, attributes[href].value);
-}
-
 /* GML 3.2 lets a description say why there is none. */
 static bool
 may_be_nil(const struct composer *composer, const struct property *property)
 {
 	return compose_is_3(composer) && !strcmp(property->module, "gml") &&
 		!strcmp(property->name, "description");
-}
-
-/* A member that is an XML attribute, and one that is an element. */
-static bool
-is_xml_attribute(const struct composer *composer, uint32_t member)
-{
-	return *compose_text(composer,
-		       composer->object.attributes.at[member].name) == '@';
-}
-
-static bool
-has_elements(const struct composer *composer, uint32_t set)
-{
-	uint32_t member = composer->first_member.at[set];
-
-	while (member != TCS_NONE && is_xml_attribute(composer, member))
-		member = composer->next_member.at[member];
-	return member != TCS_NONE;
 }
 
 static bool
@@ -167,35 +44,25 @@ fits(struct composer *composer, uint32_t index, const struct property *property)
 	if (content_is_simple(property->content))
 		return attribute->type == TCS_SET
 			? may_be_nil(composer, property) &&
-				!has_elements(composer, index)
+				!value_has_elements(composer, index)
 			: value_as(composer, attribute, property->content) !=
 				NULL;
 	if (attribute->type != TCS_SET)
 		return false;
 	switch (property->content) {
 	case CONTENT_EXTERNAL:
-		return external_target(composer, index, &by_name) != NULL;
+		return value_external_target(composer, index, &by_name) != NULL;
 	case CONTENT_ADDRESS:
 		return value_member(composer, index, "Address") != TCS_NONE;
 	case CONTENT_MEMBER:
 	case CONTENT_ROLE:
-		return role_target(composer, index, &note) != NULL;
+		return value_role_target(composer, index, &note) != NULL;
 	case CONTENT_SET:
 	case CONTENT_GRID:
-		return has_elements(composer, index);
+		return value_has_elements(composer, index);
 	default:
 		return false;
 	}
-}
-
-/* The value member of a height that measuredHeight may stand for. */
-static uint32_t
-measured_value(const struct composer *composer, uint32_t set)
-{
-	uint32_t inner = value_member(composer, set, "Height");
-
-	return inner == TCS_NONE ? TCS_NONE
-				 : value_member(composer, inner, "value");
 }
 
 static bool
@@ -230,7 +97,7 @@ place_height(struct composer *composer, uint32_t index, const char *name,
 	}
 	if (!compose_is_3(composer) && !strcmp(name, "height") &&
 		attribute->type == TCS_SET) {
-		uint32_t value = measured_value(composer, index);
+		uint32_t value = value_measured(composer, index);
 
 		*property = schema_find(class, "measuredHeight");
 		*kind = ITEM_MEASURED;
@@ -295,12 +162,38 @@ place_xml_attributes(struct composer *composer, uint32_t index,
 		const char *name = compose_text(
 			composer, composer->object.attributes.at[member].name);
 
-		if (is_xml_attribute(composer, member) && strcmp(name, "@id") &&
+		if (value_is_xml_attribute(composer, member) &&
+			strcmp(name, "@id") &&
 			!(nil && !strcmp(name, "@nilReason")))
 			status = place_generic(
 				composer, member, no_place, fault);
 	}
 	return status;
+}
+
+/* A code space: 1.0 has it for names only, and most values nowhere. */
+static bool
+may_have_space(const struct composer *composer, const struct property *property)
+{
+	return property->content == CONTENT_CODE &&
+		(composer->plan->schema.version != GML_1_0 ||
+			!strcmp(property->module, "gml"));
+}
+
+/* Whether its place takes only a part of it. */
+static bool
+is_shortened(const struct composer *composer, uint32_t index,
+	const struct property *property)
+{
+	const struct tcs_attribute *attribute =
+		&composer->object.attributes.at[index];
+
+	if (property->content == CONTENT_ADDRESS)
+		return address_is_shortened(composer, index);
+	if (!content_is_simple(property->content))
+		return false;
+	return (attribute->code_space && !may_have_space(composer, property)) ||
+		value_is_shortened(composer, attribute, property->content);
 }
 
 static enum tcs_status
@@ -332,8 +225,7 @@ place_standard(
 		composer->addresses.at[composer->addresses.count++] =
 			(struct address){index, TCS_NONE};
 	}
-	if (value_is_shortened(
-		    composer, attribute, class->properties[property].content)) {
+	if (is_shortened(composer, index, &class->properties[property])) {
 		status = place_generic(composer, index, no_place, fault);
 		if (status)
 			return status;
@@ -352,7 +244,7 @@ place_attribute(
 	const struct tcs_attribute *attribute =
 		&composer->object.attributes.at[index];
 
-	if (attribute->parent != TCS_NONE)
+	if (attribute->parent != TCS_NONE || value_is_role(composer, index))
 		return TCS_OK;
 	if (composer->nodes.at[attribute->feature].melted)
 		return place_generic(composer, index,
@@ -430,8 +322,11 @@ enum tcs_status
 values_place(struct composer *composer, struct tcs_fault *fault)
 {
 	const struct tcs_object *object = &composer->object;
-	enum tcs_status status = link_members(composer, fault);
+	enum tcs_status status = value_link_members(composer, fault);
 	uint32_t at = 0;
+
+	if (!status)
+		status = value_find_roles(composer, fault);
 
 	for (uint32_t i = 0; i < object->features.count && !status; i++) {
 		bool twice = name_is_attribute(composer, i, &at);
@@ -474,14 +369,8 @@ write_simple(struct composer *composer, uint32_t index, const char *module,
 	if ((property->content == CONTENT_MEASURE ||
 		    property->content == CONTENT_MEASURES))
 		markup_attribute(markup, "uom", unit);
-	else if (property->content == CONTENT_CODE && *space &&
-		(composer->plan->schema.version != GML_1_0 ||
-			!strcmp(property->module, "gml")))
+	else if (*space && may_have_space(composer, property))
 		markup_attribute(markup, "codeSpace", space);
-	else if (*space)
-		compose_lose(composer, "code space",
-			"the attribute has none in this version",
-			property->name);
 	if (may_be_nil(composer, property))
 		write_nil_reason(composer, index);
 	if (value && *value)
@@ -493,11 +382,11 @@ static void
 write_external(struct composer *composer, uint32_t set)
 {
 	struct markup *markup = &composer->out->markup;
-	uint32_t system = deep_member(composer, set, "informationSystem");
-	uint32_t relation = deep_member(composer, set, "relationType");
+	uint32_t system = value_deep_member(composer, set, "informationSystem");
+	uint32_t relation = value_deep_member(composer, set, "relationType");
 	const struct tcs_attribute *attributes = composer->object.attributes.at;
 	bool by_name = false, is_3 = compose_is_3(composer);
-	const char *target = external_target(composer, set, &by_name);
+	const char *target = value_external_target(composer, set, &by_name);
 	const char *value = system == TCS_NONE
 		? NULL
 		: compose_text(composer, attributes[system].value);
@@ -556,7 +445,7 @@ value_write(struct composer *composer, const struct item *item)
 		return;
 	}
 	if (item->kind == ITEM_MEASURED) {
-		write_simple(composer, measured_value(composer, item->index),
+		write_simple(composer, value_measured(composer, item->index),
 			module, property);
 		return;
 	}
@@ -569,7 +458,7 @@ value_write(struct composer *composer, const struct item *item)
 		return;
 	case CONTENT_MEMBER:
 	case CONTENT_ROLE:
-		target = role_target(composer, item->index, &note);
+		target = value_role_target(composer, item->index, &note);
 		target += *target == '#';
 		link_write(composer, item, target, note);
 		return;
