@@ -39,23 +39,24 @@ uint64_t
 keyed_hash(const struct hash_key *key, const void *bytes, size_t length)
 {
 	const unsigned char *at = bytes, *end = at + length;
-	uint64_t hash = key->words[0], last;
+	uint64_t hash = key->words[0] ^ 0x9e3779b97f4a7c15u;
+	uint64_t veil = key->words[1] ^ 0xbf58476d1ce4e5b9u, last;
 
 	if (length <= 8) {
 		last = short_word(at, length);
 	} else {
 		for (; end - at > 8; at += 8)
-			hash = folded(word_at(at) ^ key->words[1], hash);
+			hash = folded(word_at(at) ^ veil, hash);
 		last = word_at(end - 8);
 	}
-	hash = folded(last ^ key->words[1], hash);
-	return folded(hash ^ length, key->words[1] | 1);
+	hash = folded(last ^ veil, hash);
+	return folded(hash ^ length, veil | 1);
 }
 
 struct hash_key
 hash_key_new(void)
 {
-	struct hash_key key = {{0x9e3779b97f4a7c15u, 0xbf58476d1ce4e5b9u}};
+	struct hash_key key = {{0, 0}};
 	struct timespec now = {0, 0};
 	uint64_t seed[5];
 

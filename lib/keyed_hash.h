@@ -11,6 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* All zero is a key too, one that everybody knows. */
 struct hash_key {
 	uint64_t words[2];
 };

@@ -35,10 +35,13 @@ similar_strings_spread_like_any_others(void)
 		"", "wall_", "GML_7b1a5a6f-ddad-4c3d-a507-3eb9ee0a8e68_"};
 
 	for (size_t i = 0; i < 3; i++) {
-		struct hash_key key = hash_key_new();
-		int meet = meetings(&key, prefixes[i]);
+		struct hash_key keys[] = {{{0, 0}}, hash_key_new()};
 
-		CHECK(meet > 23000 && meet < 25200);
+		for (size_t j = 0; j < 2; j++) {
+			int meet = meetings(&keys[j], prefixes[i]);
+
+			CHECK(meet > 23000 && meet < 25200);
+		}
 	}
 }
 
