@@ -8,35 +8,6 @@ enum {
 	CURVE_BITS = 10, /* of a place along each axis */
 };
 
-static double
-lesser(double a, double b)
-{
-	return a < b ? a : b;
-}
-
-static double
-greater(double a, double b)
-{
-	return a > b ? a : b;
-}
-
-static struct float_box
-box_of_face(const struct component_set *set, const struct sheets *sheets,
-	uint32_t face)
-{
-	struct triangle_shape shape =
-		component_set_shape(set, sheets->face_triangles.at[face]);
-	const struct tcs_point *p = shape.corner;
-	struct tcs_point low = {lesser(p[0].x, lesser(p[1].x, p[2].x)),
-		lesser(p[0].y, lesser(p[1].y, p[2].y)),
-		lesser(p[0].z, lesser(p[1].z, p[2].z))};
-	struct tcs_point high = {greater(p[0].x, greater(p[1].x, p[2].x)),
-		greater(p[0].y, greater(p[1].y, p[2].y)),
-		greater(p[0].z, greater(p[1].z, p[2].z))};
-
-	return float_box_around(low, high, 0);
-}
-
 /* ---- blocks -------------------------------------------------------------- */
 
 static const struct box_block empty_block = {
@@ -125,31 +96,26 @@ add_level(struct face_boxes *boxes, size_t from, size_t count,
 	return TCS_OK;
 }
 
+/* Blocks over the run that was added last; order[i] tells which of the boxes
+   is the i-th. */
 static enum tcs_status
-add_blocks(struct face_boxes *boxes, const struct component_set *set,
-	const struct sheets *sheets, struct face_run *run,
-	struct tcs_fault *fault)
+add_blocks(struct face_boxes *boxes, const struct float_box *own,
+	const uint64_t *order, size_t count, struct tcs_fault *fault)
 {
-	size_t level = blocks_over(run->face_count);
-	size_t first = boxes->blocks.count;
+	size_t level = blocks_over(count), first = boxes->blocks.count;
 	enum tcs_status status = TCS_OK;
 
 	if (first + 2 * level >= UINT32_MAX)
 		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
 			"too many triangles in one object");
-	run->first_block = (uint32_t)first;
 	if (array_grow(&boxes->blocks, level))
 		return fault_memory(fault);
 	boxes->blocks.count += level;
 	for (size_t i = 0; i < level; i++)
 		boxes->blocks.at[first + i] = empty_block;
-	for (size_t i = 0; i < run->face_count; i++) {
-		struct float_box box = box_of_face(
-			set, sheets, boxes->faces.at[run->first_face + i]);
-
+	for (size_t i = 0; i < count; i++)
 		block_put(&boxes->blocks.at[first + i / BLOCK_BOXES],
-			i % BLOCK_BOXES, &box);
-	}
+			i % BLOCK_BOXES, &own[order[i] & UINT32_MAX]);
 	while (!status && level > 1) {
 		first = boxes->blocks.count - level;
 		status = add_level(boxes, first, level, fault);
@@ -170,20 +136,23 @@ spread_bits(uint32_t bits)
 	return (bits | bits << 2) & 0x09249249u;
 }
 
-/* The place of a face along the curve through the component's box. */
+/* The place of a box along the curve through the box around all. */
 static uint64_t
-curve_place(const struct box *bounds, const struct float_box *box)
+curve_place(const struct float_box *all, const struct float_box *box)
 {
 	uint32_t place = 0;
 
 	for (int i = 0; i < 3; i++) {
-		double size = bounds->high[i] - bounds->low[i];
-		double at = ((double)box->low[i] + (double)box->high[i]) / 2 -
-			bounds->low[i];
+		double low = (double)all->low[i];
+		double size = (double)all->high[i] - low;
+		double at = ((double)box->low[i] + (double)box->high[i]) / 2;
 		double most = (1 << CURVE_BITS) - 1;
-		double cell = size > 0 && isfinite(size) ? at / size * most : 0;
+		double cell = size > 0 ? (at - low) / size * most : 0;
 
-		place |= spread_bits((uint32_t)fmax(0, fmin(most, cell))) << i;
+		place |= spread_bits((uint32_t)(cell < 0 ? 0
+					 : cell > most	 ? most
+							 : cell))
+			<< i;
 	}
 	return place;
 }
@@ -196,75 +165,110 @@ by_key(const void *left, const void *right)
 	return (*a > *b) - (*a < *b);
 }
 
-static enum tcs_status
-sort_faces(struct face_boxes *boxes, const struct component_set *set,
-	const struct sheets *sheets, size_t component, struct tcs_fault *fault)
+/* The boxes by their places along the curve; the lower half of each number is
+   which box it is. */
+static void
+sort_boxes(uint64_t *order, const struct float_box *own, size_t count)
 {
-	const struct face_run *run = &boxes->runs.at[component];
-	uint32_t *faces = boxes->faces.at + run->first_face;
-	uint64_t *keys = calloc(run->face_count, sizeof *keys);
+	struct float_box all = own[0];
 
-	if (!keys)
-		return fault_memory(fault);
-	for (uint32_t i = 0; i < run->face_count; i++) {
-		struct float_box box = box_of_face(set, sheets, faces[i]);
-
-		keys[i] = curve_place(&set->components.at[component].box, &box)
-				<< 32 |
-			faces[i];
-	}
-	qsort(keys, run->face_count, sizeof *keys, by_key);
-	for (uint32_t i = 0; i < run->face_count; i++)
-		faces[i] = (uint32_t)(keys[i] & UINT32_MAX);
-	free(keys);
-	return TCS_OK;
+	for (size_t i = 1; i < count; i++)
+		for (int k = 0; k < 3; k++) {
+			if (own[i].low[k] < all.low[k])
+				all.low[k] = own[i].low[k];
+			if (own[i].high[k] > all.high[k])
+				all.high[k] = own[i].high[k];
+		}
+	for (size_t i = 0; i < count; i++)
+		order[i] |= curve_place(&all, &own[i]) << 32;
+	qsort(order, count, sizeof *order, by_key);
 }
 
-/* Faces stand component by component. */
-static enum tcs_status
-list_runs(struct face_boxes *boxes, const struct component_set *set,
-	const struct sheets *sheets, struct tcs_fault *fault)
+enum tcs_status
+face_boxes_add(struct face_boxes *boxes, const uint32_t *faces,
+	const struct float_box *own, size_t count, struct tcs_fault *fault)
 {
-	size_t count = sheets->face_triangles.count;
+	uint64_t *order = calloc(count + 1, sizeof *order);
+	enum tcs_status status;
 
-	if (array_grow(&boxes->runs, set->components.count) ||
-		array_grow(&boxes->faces, count))
+	if (!order || array_grow(&boxes->runs, 1) ||
+		array_grow(&boxes->faces, count)) {
+		free(order);
 		return fault_memory(fault);
-	boxes->runs.count = set->components.count;
-	for (size_t i = 0; i < boxes->runs.count; i++)
-		boxes->runs.at[i] = (struct face_run){0};
-	for (uint32_t i = 0; i < count; i++) {
-		uint32_t triangle = sheets->face_triangles.at[i];
-		struct face_run *run =
-			&boxes->runs.at[set->numbers.at[triangle]];
-
-		if (!run->face_count++)
-			run->first_face = i;
-		boxes->faces.at[i] = i;
 	}
-	boxes->faces.count = count;
-	return TCS_OK;
+	for (size_t i = 0; i < count; i++)
+		order[i] = i;
+	if (count > NATURAL_ORDER)
+		sort_boxes(order, own, count);
+	boxes->runs.at[boxes->runs.count++] =
+		(struct face_run){(uint32_t)boxes->blocks.count,
+			(uint32_t)boxes->faces.count, (uint32_t)count};
+	for (size_t i = 0; i < count; i++)
+		boxes->faces.at[boxes->faces.count++] =
+			faces[order[i] & UINT32_MAX];
+	status = add_blocks(boxes, own, order, count, fault);
+	free(order);
+	return status;
+}
+
+/* ---- components ---------------------------------------------------------- */
+
+/* One component's faces and their boxes: a scratch. */
+struct member {
+	TCS_ARRAY(uint32_t) faces;
+	TCS_ARRAY(struct float_box) own;
+};
+
+/* Faces stand component by component: those that begin at `face`. */
+static enum tcs_status
+add_component(struct face_boxes *boxes, const struct component_set *set,
+	const struct sheets *sheets, uint32_t component, uint32_t *face,
+	struct member *member, struct tcs_fault *fault)
+{
+	const uint32_t *triangles = sheets->face_triangles.at;
+
+	member->faces.count = member->own.count = 0;
+	for (; *face < sheets->face_triangles.count &&
+		set->numbers.at[triangles[*face]] == component;
+		++*face) {
+		struct triangle_shape shape =
+			component_set_shape(set, triangles[*face]);
+
+		if (array_grow(&member->faces, 1) ||
+			array_grow(&member->own, 1))
+			return fault_memory(fault);
+		member->faces.at[member->faces.count++] = *face;
+		member->own.at[member->own.count++] = float_box_of(&shape);
+	}
+	return face_boxes_add(boxes, member->faces.at, member->own.at,
+		member->faces.count, fault);
 }
 
 enum tcs_status
 face_boxes_build(struct face_boxes *boxes, const struct component_set *set,
 	const struct sheets *sheets, struct tcs_fault *fault)
 {
-	enum tcs_status status;
+	struct member member = {0};
+	enum tcs_status status = TCS_OK;
+	uint32_t face = 0;
 
+	face_boxes_clear(boxes);
+	if (array_grow(&boxes->faces, sheets->face_triangles.count))
+		return fault_memory(fault);
+	for (uint32_t i = 0; !status && i < set->components.count; i++)
+		status = add_component(
+			boxes, set, sheets, i, &face, &member, fault);
+	array_release(&member.faces);
+	array_release(&member.own);
+	return status;
+}
+
+void
+face_boxes_clear(struct face_boxes *boxes)
+{
 	array_clear(&boxes->runs);
 	array_clear(&boxes->blocks);
 	array_clear(&boxes->faces);
-	status = list_runs(boxes, set, sheets, fault);
-	for (size_t i = 0; !status && i < boxes->runs.count; i++) {
-		struct face_run *run = &boxes->runs.at[i];
-
-		if (run->face_count > NATURAL_ORDER)
-			status = sort_faces(boxes, set, sheets, i, fault);
-		if (!status && run->face_count > 0)
-			status = add_blocks(boxes, set, sheets, run, fault);
-	}
-	return status;
 }
 
 void
@@ -306,11 +310,11 @@ walk_begin(struct block_walk *walk, const struct face_run *run)
 }
 
 enum tcs_status
-face_boxes_near(const struct face_boxes *boxes, uint32_t component,
+face_boxes_near(const struct face_boxes *boxes, uint32_t number,
 	const struct float_box *box, struct face_list *out,
 	struct tcs_fault *fault)
 {
-	const struct face_run *run = &boxes->runs.at[component];
+	const struct face_run *run = &boxes->runs.at[number];
 	const uint32_t *faces = boxes->faces.at + run->first_face;
 	struct block_walk walk;
 

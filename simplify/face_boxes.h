@@ -1,7 +1,8 @@
 /*
- * Which faces of a component are near a box: boxes of the faces in single
- * precision, eight to a block, and blocks of blocks above them. Faces of large
- * components stand along a curve that fills space, so that a block is compact.
+ * Which faces are near a box: boxes of the faces in single precision, eight to
+ * a block, and blocks of blocks above them, for each component or for any other
+ * run of faces. Those of a large run stand along a curve that fills space, so
+ * that a block is compact.
  *
  * source: I. Wald et al., Getting rid of packets: efficient SIMD single-ray
  * traversal using multi-branching BVHs, 2008; G. Morton, A computer oriented
@@ -27,7 +28,7 @@ struct box_block {
 	float low[3][BLOCK_BOXES], high[3][BLOCK_BOXES];
 };
 
-/* The blocks of a component: those over its faces, then level by level those
+/* The blocks of a run: those over its faces, then level by level those
    over blocks; the last is alone. */
 struct face_run {
 	uint32_t first_block;
@@ -36,7 +37,7 @@ struct face_run {
 
 /* All zero is empty; reused from object to object. */
 struct face_boxes {
-	TCS_ARRAY(struct face_run) runs; /* per component */
+	TCS_ARRAY(struct face_run) runs; /* by number */
 	TCS_ARRAY(struct box_block) blocks;
 	TCS_ARRAY(uint32_t) faces; /* in the order of their boxes */
 };
@@ -72,6 +73,22 @@ float_box_around(struct tcs_point a, struct tcs_point b, double reach)
 			rounded_up((a.z > b.z ? a.z : b.z) + reach)}};
 }
 
+static inline struct float_box
+float_box_of(const struct triangle_shape *shape)
+{
+	const struct tcs_point *p = shape->corner;
+	struct float_box box = float_box_around(p[0], p[1], 0);
+	struct float_box last = float_box_around(p[2], p[2], 0);
+
+	for (int i = 0; i < 3; i++) {
+		if (last.low[i] < box.low[i])
+			box.low[i] = last.low[i];
+		if (last.high[i] > box.high[i])
+			box.high[i] = last.high[i];
+	}
+	return box;
+}
+
 static inline bool
 float_box_holds(const struct float_box *box, struct tcs_point point)
 {
@@ -91,16 +108,24 @@ float_boxes_meet(const struct float_box *a, const struct float_box *b)
 		a->low[2] <= b->high[2] && a->high[2] >= b->low[2];
 }
 
-/* Over all faces of the sheets. Takes n log n steps. Fails with
+/* A run for each component of the sheets, in turn. Takes n log n steps. Fails with
    TCS_NO_MEMORY. */
 enum tcs_status face_boxes_build(struct face_boxes *boxes,
 	const struct component_set *set, const struct sheets *sheets,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/* List the faces of a component whose boxes meet `box`, always in the same
-   order. Fails with TCS_NO_MEMORY. */
-enum tcs_status face_boxes_near(const struct face_boxes *boxes,
-	uint32_t component, const struct float_box *box, struct face_list *out,
+/* Add a run of `count` > 0 faces, in the order of their boxes. Takes n log n
+   steps. Fails with TCS_NO_MEMORY, TCS_LIMIT. */
+enum tcs_status face_boxes_add(struct face_boxes *boxes, const uint32_t *faces,
+	const struct float_box *own, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+void face_boxes_clear(struct face_boxes *boxes);
+
+/* List the faces of a run whose boxes meet `box`, always in the same order.
+   Fails with TCS_NO_MEMORY. */
+enum tcs_status face_boxes_near(const struct face_boxes *boxes, uint32_t run,
+	const struct float_box *box, struct face_list *out,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 void face_boxes_release(struct face_boxes *boxes);

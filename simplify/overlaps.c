@@ -13,6 +13,7 @@
 #define LEAST_AREA 1e-4
 
 #define PARALLEL 0.9998 /* cosine, about a degree */
+#define ROUNDING 1e-5 /* of a normal in single precision */
 
 /* A triangle clipped by the three sides of another has so many corners. */
 enum { CLIPPED = 6 };
@@ -34,7 +35,6 @@ struct search {
 	struct overlaps *overlaps;
 	struct collapses *work;
 	struct plate own;
-	enum tcs_status status;
 	struct tcs_fault *fault;
 };
 
@@ -218,21 +218,59 @@ judge(struct search *search, const struct plate *upper,
 	return TCS_OK;
 }
 
-static bool
-visit(void *context, uint32_t position)
+static struct box
+box_of(const struct triangle_shape *shape)
 {
-	struct search *search = context;
-	struct overlaps *overlaps = search->overlaps;
-	uint32_t face = overlaps->faces.at[overlaps->boxes.items.at[position]];
+	struct box box = BOX_EMPTY;
+
+	for (int k = 0; k < 3; k++)
+		box_add_point(&box, shape->corner[k]);
+	return box;
+}
+
+static bool
+may_be_parallel(const struct plate *own, const struct overlap_face *other)
+{
+	return own->normal.x * (double)other->normal[0] +
+		own->normal.y * (double)other->normal[1] +
+		own->normal.z * (double)other->normal[2] >
+		PARALLEL - ROUNDING;
+}
+
+static enum tcs_status
+visit(struct search *search, const struct overlap_face *there)
+{
+	const struct overlaps *overlaps = search->overlaps;
+	uint32_t face = there->face;
 	struct plate other;
 
 	/* A pair of changed faces once. */
-	if ((overlaps->changed.at[face] && face <= search->own.face) ||
+	if (!may_be_parallel(&search->own, there) ||
+		(overlaps->changed.at[face] && face <= search->own.face) ||
 		component_of(search->work, face) == search->own.component ||
 		!load_plate(search->work, face, &other))
-		return true;
-	search->status = judge(search, &search->own, &other);
-	return !search->status;
+		return TCS_OK;
+	return judge(search, &search->own, &other);
+}
+
+/* All pairs of one face. */
+static enum tcs_status
+visit_near(struct search *search)
+{
+	struct overlaps *overlaps = search->overlaps;
+	struct box bounds = box_of(&search->own.shape);
+	struct float_box box = float_box_around(
+		(struct tcs_point){bounds.low[0], bounds.low[1], bounds.low[2]},
+		(struct tcs_point){
+			bounds.high[0], bounds.high[1], bounds.high[2]},
+		SUNK);
+	enum tcs_status status = face_boxes_near(
+		&overlaps->boxes, 0, &box, &overlaps->near, search->fault);
+
+	for (size_t i = 0; !status && i < overlaps->near.count; i++)
+		status = visit(
+			search, &overlaps->faces.at[overlaps->near.at[i]]);
+	return status;
 }
 
 /* ---- all faces ------------------------------------------------------------ */
@@ -263,8 +301,7 @@ begin(struct overlaps *overlaps, const struct collapses *work,
 	array_clear(&overlaps->faces);
 	array_clear(&overlaps->changed);
 	array_clear(&overlaps->shifts);
-	array_clear(&overlaps->boxes.nodes);
-	array_clear(&overlaps->boxes.items);
+	face_boxes_clear(&overlaps->boxes);
 	array_clear(&overlaps->tree.boxes.nodes);
 	array_clear(&overlaps->tree.boxes.items);
 	array_clear(&overlaps->tree.shapes);
@@ -284,26 +321,16 @@ begin(struct overlaps *overlaps, const struct collapses *work,
 	return TCS_OK;
 }
 
-static struct box
-box_of(const struct triangle_shape *shape)
-{
-	struct box box = BOX_EMPTY;
-
-	for (int k = 0; k < 3; k++)
-		box_add_point(&box, shape->corner[k]);
-	return box;
-}
-
 static enum tcs_status
 grow_boxes(struct overlaps *overlaps, const struct collapses *work,
-	uint32_t *root, struct tcs_fault *fault)
+	struct tcs_fault *fault)
 {
 	size_t faces = work->sheets->face_triangles.count;
-	struct box *boxes = calloc(work->face_count + 1, sizeof *boxes);
-	uint32_t *items = calloc(work->face_count + 1, sizeof *items);
+	struct float_box *own = calloc(work->face_count + 1, sizeof *own);
+	uint32_t *places = calloc(work->face_count + 1, sizeof *places);
 	enum tcs_status status = TCS_OK;
 
-	if (!boxes || !items)
+	if (!own || !places)
 		status = fault_memory(fault);
 	for (uint32_t i = 0; !status && i < faces; i++) {
 		struct plate plate;
@@ -313,15 +340,18 @@ grow_boxes(struct overlaps *overlaps, const struct collapses *work,
 		if (!load_plate(work, i, &plate))
 			continue;
 		overlaps->changed.at[i] = is_changed(work, i, plate.nodes);
-		boxes[count] = box_of(&plate.shape);
-		items[count] = (uint32_t)count;
-		overlaps->faces.at[overlaps->faces.count++] = i;
+		own[count] = float_box_of(&plate.shape);
+		places[count] = (uint32_t)count;
+		overlaps->faces.at[overlaps->faces.count++] =
+			(struct overlap_face){i,
+				{(float)plate.normal.x, (float)plate.normal.y,
+					(float)plate.normal.z}};
 	}
-	if (!status && overlaps->faces.count > 0)
-		status = box_tree_add(&overlaps->boxes, boxes, items,
-			overlaps->faces.count, root, fault);
-	free(boxes);
-	free(items);
+	if (!status)
+		status = face_boxes_add(&overlaps->boxes, places, own,
+			overlaps->faces.count, fault);
+	free(own);
+	free(places);
 	return status;
 }
 
@@ -332,7 +362,7 @@ move_nodes(struct overlaps *overlaps, struct collapses *work)
 	for (size_t i = 0; i < overlaps->faces.count; i++) {
 		struct plate plate;
 
-		if (!load_plate(work, overlaps->faces.at[i], &plate))
+		if (!load_plate(work, overlaps->faces.at[i].face, &plate))
 			continue;
 		for (int k = 0; k < 3; k++)
 			plate.shape.corner[k] =
@@ -355,23 +385,17 @@ overlaps_part(struct overlaps *overlaps, struct collapses *work,
 {
 	struct search search = {
 		.overlaps = overlaps, .work = work, .fault = fault};
-	uint32_t root = 0;
 	enum tcs_status status = begin(overlaps, work, fault);
 
 	if (status || work->set->components.count < 2)
 		return status;
-	status = grow_boxes(overlaps, work, &root, fault);
+	status = grow_boxes(overlaps, work, fault);
 	for (size_t i = 0; !status && i < overlaps->faces.count; i++) {
-		uint32_t face = overlaps->faces.at[i];
-		struct box box;
+		uint32_t face = overlaps->faces.at[i].face;
 
-		if (!overlaps->changed.at[face] ||
-			!load_plate(work, face, &search.own))
-			continue;
-		box = box_of(&search.own.shape);
-		box_tree_near(
-			&overlaps->boxes, root, &box, SUNK, visit, &search);
-		status = search.status;
+		if (overlaps->changed.at[face] &&
+			load_plate(work, face, &search.own))
+			status = visit_near(&search);
 	}
 	if (!status && overlaps->parted > 0)
 		move_nodes(overlaps, work);
@@ -383,7 +407,8 @@ overlaps_release(struct overlaps *overlaps)
 {
 	array_release(&overlaps->faces);
 	array_release(&overlaps->changed);
-	box_tree_release(&overlaps->boxes);
+	face_boxes_release(&overlaps->boxes);
+	array_release(&overlaps->near);
 	array_release(&overlaps->shifts);
 	triangle_tree_release(&overlaps->tree);
 	array_release(&overlaps->roots);

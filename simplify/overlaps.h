@@ -17,13 +17,21 @@
 #define TESSERA_OVERLAPS_H
 
 #include "collapses.h"
+#include "face_boxes.h"
+
+/* A face that is left. */
+struct overlap_face {
+	uint32_t face;
+	float normal[3]; /* of length 1 */
+};
 
 /* All zero is empty; reused from object to object. */
 struct overlaps {
 	size_t parted; /* pairs of faces */
-	TCS_ARRAY(uint32_t) faces; /* those that are left */
+	TCS_ARRAY(struct overlap_face) faces;
 	TCS_ARRAY(bool) changed; /* per face */
-	struct box_tree boxes; /* over the faces that are left */
+	struct face_boxes boxes; /* one run: places in `faces` */
+	struct face_list near; /* scratch */
 	TCS_ARRAY(struct tcs_point) shifts; /* per node */
 	struct triangle_tree
 		tree; /* over the original, where it is asked for */
