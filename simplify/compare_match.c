@@ -170,6 +170,56 @@ cast_votes(void *context, size_t piece, size_t first, size_t end)
 	}
 }
 
+/* ---- what has another feature now ---------------------------------------- */
+
+/* A component before that no triangle came from so far, and where it was. */
+struct claim {
+	struct matching *matching;
+	uint32_t component;
+	struct box box;
+};
+
+static bool
+claim_triangle(void *context, uint32_t position)
+{
+	const struct claim *claim = context;
+	const struct matching *matching = claim->matching;
+	uint32_t triangle = matching->after->surfaces.boxes.items.at[position];
+	uint32_t *from = &matching->cast[triangle];
+	struct marks marks = marks_of(&matching->after->set, triangle);
+
+	for (int i = 0; i < 3; i++)
+		if (box_distance_squared(&claim->box, marks.at[i]) >
+			matching->eps * matching->eps)
+			return true;
+	if (strangeness(matching, claim->component, &marks) <
+		strangeness(matching, *from, &marks))
+		*from = claim->component;
+	return true;
+}
+
+/* Components that nothing comes from by feature get what lies where they were
+   and is nearer to them than to what it came from. */
+static void
+claim_triangles(struct matching *matching)
+{
+	const struct component_set *before = &matching->before->set;
+	const struct compare_side *after = matching->after;
+
+	for (size_t i = 0; i < after->set.triangles.count; i++)
+		matching->alive[matching->cast[i]] = true;
+	for (uint32_t i = 0; i < before->components.count; i++) {
+		struct claim claim = {
+			matching, i, before->components.at[i].box};
+
+		if (!matching->alive[i] && after->whole != NO_TREE)
+			box_tree_near(&after->surfaces.boxes, after->whole,
+				&claim.box, matching->eps, claim_triangle,
+				&claim);
+		matching->alive[i] = false;
+	}
+}
+
 /* ---- where each component comes from ------------------------------------- */
 
 static const uint32_t *
@@ -429,6 +479,7 @@ match_all(struct matching *matching, struct tcs_fault *fault)
 		status = split_work(after->triangles.count, TRIANGLES_AT_ONCE,
 			after->jobs, cast_votes, matching, fault);
 	if (!status) {
+		claim_triangles(matching);
 		find_parents(matching);
 		status = divide_components(matching, fault);
 	}

@@ -26,6 +26,9 @@ struct match_piece {
  * that these four points are nearest to in sum, half an eps added where what is
  * nearest to the centre faces away.
  *
+ * Where no triangle comes from a component so, it is asked for the triangles
+ * within eps of its box: they come from it if it is less in that sum.
+ *
  * A component after comes from what most of its triangles come from. Those of
  * them that come from another one are a region of that, if one of them has a
  * feature that it alone had, or if no component comes from it and they have a

@@ -179,6 +179,36 @@ a_part_may_become_two(void)
 	object_release(&b);
 }
 
+/* A window becomes part of its wall, by its feature or by that and a point that
+   they share; beside the wall nothing else remains of it. */
+static void
+what_becomes_part_of_another_feature_is_there(void)
+{
+	struct tcs_object a = {0}, b = {0};
+	struct outcome out;
+
+	for (int left = 0; left < 3; left++) {
+		begin(&a);
+		put_box(&a, 1, (double[]){0, 0, 0}, (double[]){4, 0.3, 3});
+		put_box(&a, 2, (double[]){1, 0.3, 1}, (double[]){2, 0.4, 2});
+		begin(&b);
+		put_box(&b, 1, (double[]){0, 0, 0}, (double[]){4, 0.3, 3});
+		if (left > 0)
+			put_box(&b, 1, (double[]){1, 0.3, 1},
+				(double[]){2, 0.4, 2});
+		if (left > 1)
+			put_triangle(&b, 1, (struct tcs_point){0, 0.3, 0},
+				(struct tcs_point){0, 0.3, 3},
+				(struct tcs_point){1, 0.3, 1});
+		out = compare(&a, &b);
+		CHECK(is(out.after, left == 1 ? 2 : 1));
+		CHECK(is(out.lost, left == 0) && is(out.kept, left > 0));
+		CHECK(is(out.contacts_lost, left == 0));
+	}
+	object_release(&a);
+	object_release(&b);
+}
+
 /* One half of the first is a component, the other is sewn to the third. */
 static void
 a_part_may_become_one_and_a_region_of_another(void)
@@ -370,6 +400,7 @@ main(void)
 		CHECK_TEST(a_part_of_one_feature_that_is_gone_is_lost),
 		CHECK_TEST(a_part_may_become_two),
 		CHECK_TEST(a_part_may_become_one_and_a_region_of_another),
+		CHECK_TEST(what_becomes_part_of_another_feature_is_there),
 		CHECK_TEST(what_stood_on_a_part_of_its_feature_is_lost),
 		CHECK_TEST(what_merges_across_features_is_there_and_joined),
 		CHECK_TEST(what_does_not_merge_with_the_others_is_lost),
