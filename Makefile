@@ -50,7 +50,8 @@ libs := -lxml2 -lproj -lGLU -ljansson -ltinygltf -lOpenMeshCore -ldeflate -lz -l
 # A program is the file with its main, what it needs of the other files of its
 # folder, and what it needs of lib/. Those whose main is there are built.
 all_programs := parsers/citygml2tcs parsers/ifc2tcs parsers/json2tcs \
-	simplify/tcs-compare simplify/tcs-simplify writers/tcs2json \
+	simplify/tcs-compare simplify/tcs-exterior \
+	simplify/tcs-simplify writers/tcs2json \
 	writers/tcs2gltf writers/tcs2citygml tessera
 programs := $(patsubst %.c,%,$(wildcard $(addsuffix .c,$(all_programs))))
 program_names := $(notdir $(programs))

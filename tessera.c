@@ -56,6 +56,7 @@ struct plan {
 	struct pipeline pipeline;
 	const char *from, *to; /* suffixes that --from and --to name */
 	bool dry_run;
+	bool exterior; /* tcs-exterior is one of the stages */
 	char folder[MAX_NAME]; /* of the stages' --stats; "" for none */
 	char images[MAX_NAME]; /* the folder of the input */
 };
@@ -224,13 +225,15 @@ make_plan(struct plan *plan, struct passed *passed, struct tcs_fault *fault)
 			command, ".%s is written, not read", from->suffix);
 	if (!writer)
 		program_usage(command, ".%s is read, not written", to->suffix);
-	if (!*reader && !*writer && !simplified)
+	if (!*reader && !*writer && !simplified && !plan->exterior)
 		program_usage(
 			command, "from .tcs to .tcs there is nothing to do");
 	if (!strcmp(reader, "citygml2tcs") && !strcmp(writer, "tcs2citygml"))
 		choose_levels(passed);
 	if (*reader)
 		status = add_stage(plan, reader, passed, fault);
+	if (!status && plan->exterior)
+		status = add_stage(plan, "tcs-exterior", passed, fault);
 	if (!status && simplified)
 		status = add_stage(plan, "tcs-simplify", passed, fault);
 	if (!strcmp(writer, "tcs2gltf"))
@@ -473,7 +476,7 @@ static const struct passed passed_options[] = {
 
 enum {
 	PASSED = sizeof passed_options / sizeof *passed_options,
-	OWN = 3,
+	OWN = 4,
 };
 
 /* The driver's own options, then those it hands on, then the zero row. */
@@ -488,6 +491,9 @@ fill_options(struct option_row rows[OWN + PASSED + 1], struct plan *plan,
 		{OPTION_PARSE, 0, "to", "FORMAT",
 			"Write FORMAT, whatever the output is called.",
 			&plan->to, 0, 0, note_suffix},
+		{OPTION_FLAG, 0, "exterior", NULL,
+			"Keep only what is seen from outside.", &plan->exterior,
+			0, 0, NULL},
 		{OPTION_FLAG, 'n', "dry-run", NULL,
 			"Print the pipe instead of running it.", &plan->dry_run,
 			0, 0, NULL},

@@ -204,8 +204,14 @@ box_entry(const struct box *box, struct tcs_point origin,
 		}
 		near = (box->low[i] - at[i]) / way[i];
 		far = (box->high[i] - at[i]) / way[i];
-		enter = fmax(enter, fmin(near, far));
-		leave = fmin(leave, fmax(near, far));
+		if (near > far) {
+			double swap = near;
+
+			near = far;
+			far = swap;
+		}
+		enter = near > enter ? near : enter;
+		leave = far < leave ? far : leave;
 	}
 	/* Rounding must not lose a flat box. */
 	return enter <= leave * (1 + 1e-12) ? enter : INFINITY;
@@ -217,6 +223,7 @@ struct ray {
 	struct tree_hit first;
 	double reach;
 	bool count_all;
+	bool any; /* one hit is enough */
 	unsigned count;
 	double margin; /* the smallest, over all hits */
 };
@@ -255,6 +262,8 @@ follow_ray(const struct triangle_tree *tree, uint32_t root, struct ray *ray)
 
 		if (step.distance >= ray->reach)
 			continue;
+		if (ray->any && ray->count)
+			return;
 		if (node->count)
 			ray_in_leaf(tree, node, ray);
 		else
@@ -280,6 +289,22 @@ triangle_tree_ray(const struct triangle_tree *tree, uint32_t root,
 
 	follow_ray(tree, root, &ray);
 	return ray.first;
+}
+
+bool
+triangle_tree_blocks(const struct triangle_tree *tree, uint32_t root,
+	struct tcs_point origin, struct tcs_point direction, double reach)
+{
+	struct ray ray = {
+		.origin = origin,
+		.direction = direction,
+		.first = {.distance = INFINITY},
+		.reach = reach,
+		.any = true,
+	};
+
+	follow_ray(tree, root, &ray);
+	return ray.first.distance < INFINITY;
 }
 
 bool

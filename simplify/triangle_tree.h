@@ -48,6 +48,10 @@ struct tree_hit triangle_tree_ray(const struct triangle_tree *tree,
 	uint32_t root, struct tcs_point origin, struct tcs_point direction,
 	double reach);
 
+/* Whether it meets any; quicker. */
+bool triangle_tree_blocks(const struct triangle_tree *tree, uint32_t root,
+	struct tcs_point origin, struct tcs_point direction, double reach);
+
 /*
  * Whether a closed surface encloses the point: whether a ray from it meets an
  * odd number of triangles. A ray that comes too near to an edge is replaced.

@@ -76,10 +76,13 @@ count_pixels(struct tally *tally)
 			tally->pixels[raster->triangles[i]]++;
 }
 
-/* Whether some pixel around the spot shows nothing that is before it. */
+/* Whether some pixel around the spot shows nothing that is before it by more
+   than rounding. */
 static bool
-is_open(const struct raster *raster, const struct spot *spot)
+is_open(const struct raster *raster, const struct view *view,
+	const struct spot *spot)
 {
+	double reached = spot->nearness + 1e-6 * view->farthest;
 	int size = (int)raster->size;
 	int column = (int)floor(spot->x), row = (int)floor(spot->y);
 
@@ -88,7 +91,7 @@ is_open(const struct raster *raster, const struct spot *spot)
 			if (x < 0 || y < 0 || x >= size || y >= size ||
 				(double)raster->nearness[(size_t)y *
 						raster->size +
-					(size_t)x] <= spot->nearness)
+					(size_t)x] <= reached)
 				return true;
 	return false;
 }
@@ -105,7 +108,7 @@ note_open(const struct looking *looking, const struct view *view,
 			continue;
 		shape = shape_at(looking, i);
 		spot = view_spot(view, tally->raster.size, centre_of(&shape));
-		if (is_open(&tally->raster, &spot))
+		if (is_open(&tally->raster, view, &spot))
 			tally->open[i] |= UINT64_C(1) << number;
 	}
 }
@@ -187,11 +190,10 @@ area_by_rays(const struct looking *looking, size_t i, uint64_t open)
 		out = vector_scaled(visible_direction(looking->views, k), -1);
 		slant = fabs(vector_dot(normal, out)) / 2;
 		if (slant > 0 &&
-			triangle_tree_ray(&looking->tree, looking->root,
+			!triangle_tree_blocks(&looking->tree, looking->root,
 				vector_along(
 					centre, out, 1e-7 * looking->radius),
-				out, 2 * looking->radius)
-					.distance == INFINITY)
+				out, 2 * looking->radius))
 			return slant / count;
 	}
 	return 0;
