@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Ids of a GML file: none twice, no link to one that is not there.
+"""Ids of GML files: none twice in one, no link to one that is not there.
 
-    check_ids.py FILE [SOURCE]
+    check_ids.py SOURCE|- FILE...
 
-Links that dangle in SOURCE too are not held against FILE.
+Links that dangle in SOURCE too are not held against the files.
 """
 import re
 import sys
@@ -18,19 +18,25 @@ def ids_and_links(name):
     return ids, links
 
 
-def main():
-    ids, links = ids_and_links(sys.argv[1])
+def is_sound(name, dangles):
+    ids, links = ids_and_links(name)
     known, twice = set(), set()
     for i in ids:
         (twice if i in known else known).add(i)
-    dangling = set(links) - known
-    if len(sys.argv) > 2:
-        source_ids, source_links = ids_and_links(sys.argv[2])
-        dangling -= set(source_links) - set(source_ids)
+    dangling = set(links) - known - dangles
     for what, found in (("twice", twice), ("dangling", dangling)):
         if found:
-            print(f"{what}: {len(found)}: {sorted(found)[:5]}")
-    sys.exit(1 if twice or dangling else 0)
+            print(f"{name}: {what}: {len(found)}: {sorted(found)[:5]}")
+    return not twice and not dangling
+
+
+def main():
+    dangles = set()
+    if sys.argv[1] != "-":
+        ids, links = ids_and_links(sys.argv[1])
+        dangles = set(links) - set(ids)
+    sound = [is_sound(name, dangles) for name in sys.argv[2:]]
+    sys.exit(0 if sound and all(sound) else 1)
 
 
 if __name__ == "__main__":

@@ -10,11 +10,11 @@ data=$ROOT/../shared/data
 schemas=$data/schemas
 all=0,1,2,3,4
 
-# validates VERSION FILE
+# validates VERSION FILE...
 validates() {
 	[[ -e $schemas ]] || return 0
 	XML_CATALOG_FILES=$schemas/catalog.xml xmllint --huge --nonet --noout \
-		--schema "$schemas/citygml-$1.xsd" "$2"
+		--schema "$schemas/citygml-$1.xsd" "${@:2}"
 }
 
 same_stream() {
@@ -27,31 +27,30 @@ same_stream() {
 comes_back() {
 	citygml2tcs -q --lod "$all" "$2" a.tcs
 	tcs2citygml -q --citygml "$1" a.tcs out.gml
-	validates "$1" out.gml
-	python3 "$ROOT/tests/check_ids.py" out.gml "$2"
 	citygml2tcs -q --lod "$all" out.gml b.tcs
 	same_stream a.tcs b.tcs
 }
 
 town_comes_back() {
 	comes_back "$1" "$SAMPLES/town-$1.gml"
+	validates "$1" out.gml
+	python3 "$ROOT/tests/check_ids.py" "$SAMPLES/town-$1.gml" out.gml
 }
 
-# goes_there VERSION FILE: out of the stream in another version, and back.
+# goes_there FROM TO FILE: out of the stream a.tcs in another version, and back.
 goes_there() {
-	local from=$1 to=$2
-	citygml2tcs -q --lod "$all" "$3" a.tcs
-	tcs2citygml -q --citygml "$to" a.tcs there.gml
-	validates "$to" there.gml
-	python3 "$ROOT/tests/check_ids.py" there.gml "$3"
+	tcs2citygml -q --citygml "$2" a.tcs there.gml
 	citygml2tcs -q --lod "$all" there.gml b.tcs
-	tcs2citygml -q --citygml "$from" b.tcs back.gml
-	validates "$from" back.gml
-	python3 "$ROOT/tests/check_ids.py" back.gml "$3"
+	tcs2citygml -q --citygml "$1" b.tcs back.gml
+	validates "$2" there.gml
+	validates "$1" out.gml back.gml
+	python3 "$ROOT/tests/check_ids.py" "$3" out.gml there.gml back.gml
 }
 
 town_goes_there() {
-	goes_there "$1" "$2" "$SAMPLES/town-$1.gml"
+	local town=$SAMPLES/town-$1.gml
+	comes_back "$1" "$town"
+	goes_there "$1" "$2" "$town"
 }
 
 solids_stay_closed() {
@@ -84,7 +83,9 @@ differences_are_noticed() {
 			before.json after.json
 	done
 	sed 's/gml:id="B1"/gml:id="B2"/' "$SAMPLES/town-2.0.gml" >twice.gml
-	status_is 1 python3 "$ROOT/tests/check_ids.py" twice.gml
+	status_is 1 python3 "$ROOT/tests/check_ids.py" - twice.gml
+	status_is 1 python3 "$ROOT/tests/check_ids.py" "$SAMPLES/town-2.0.gml" \
+		"$SAMPLES/town-2.0.gml" twice.gml
 }
 
 # Two streams in one: every id is there twice.
@@ -99,7 +100,7 @@ ids_stay_unique() {
 	tcs2citygml -q -j1 twice.tcs one.gml
 	tcs2citygml -q -j4 twice.tcs four.gml
 	cmp one.gml four.gml
-	python3 "$ROOT/tests/check_ids.py" one.gml
+	python3 "$ROOT/tests/check_ids.py" - one.gml
 	validates 2.0 one.gml
 }
 
@@ -129,7 +130,7 @@ triangles_become_polygons_again() {
 	tcs2citygml -q --citygml "$1" whole.tcs whole.gml
 	tcs2citygml -q --citygml "$1" split.tcs split.gml
 	validates "$1" split.gml
-	python3 "$ROOT/tests/check_ids.py" split.gml
+	python3 "$ROOT/tests/check_ids.py" - split.gml
 	awk -f "$ROOT/tests/closed.awk" split.gml
 	corners whole.gml >whole.txt
 	corners split.gml >split.txt
@@ -145,7 +146,7 @@ levels_stand_beside_each_other() {
 		--add "$2" | json2tcs >both.tcs
 	tcs2citygml -q --citygml "$1" both.tcs both.gml
 	validates "$1" both.gml
-	python3 "$ROOT/tests/check_ids.py" both.gml
+	python3 "$ROOT/tests/check_ids.py" - both.gml
 	awk -f "$ROOT/tests/closed.awk" both.gml
 	is "$(grep -c '<gml:Solid gml:id="[^"]*_lod[0-4]"' both.gml)" \
 		"$(grep -c "<[a-z]*:lod3Solid>" town.gml)"
@@ -163,7 +164,7 @@ outlines_come_from_triangles() {
 			del(.paints) else . end' | json2tcs >bare.tcs
 	tcs2citygml -q bare.tcs bare.gml
 	validates 2.0 bare.gml
-	python3 "$ROOT/tests/check_ids.py" bare.gml
+	python3 "$ROOT/tests/check_ids.py" - bare.gml
 	awk -f "$ROOT/tests/closed.awk" bare.gml
 }
 
