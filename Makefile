@@ -72,7 +72,7 @@ archives := $(strip $(foreach folder,parsers simplify writers lib,\
 
 .PHONY: all demo test unit seeds cases suites cases-accept lint format bench \
 	fuzz install uninstall clean help demo-here test-here \
-	lint-build bench-peers FORCE
+	lint-build lint-syntax bench-peers FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -229,7 +229,14 @@ lint:
 	@BUILD='$(abspath $(build))' tests/lint.sh
 
 # Everything that is C or C++, for the compilers' warnings.
-lint-build: all $(unit_tests) $(replays) $(benches) $(tools) $(generators)
+test_programs := $(unit_tests) $(replays) $(benches) $(tools) $(generators)
+lint-build: all $(test_programs)
+
+# The same, no further than the objects.
+lint-syntax: $(call objects_of,$(foreach folder,$(folders),\
+	$(call sources_in,$(folder))) $(addsuffix .c,$(programs))) \
+	$(addsuffix .o,$(test_programs)) $(generator_parts) \
+	$(build)/tests/fuzz/replay.o
 
 format:
 	clang-format -i $$(tests/lint.sh --sources)
