@@ -345,20 +345,26 @@ collapses_is_moved(const struct collapses *work, uint32_t node)
 }
 
 void
-collapses_release(struct collapses *work)
+collapses_end(struct collapses *work)
 {
-	half_edges_free(work->mesh);
-	work->mesh = NULL;
-	array_release(&work->positions);
 	array_release(&work->quadrics);
 	array_release(&work->borders);
 	array_release(&work->areas);
-	array_release(&work->fixed);
 	array_release(&work->targets);
+	node_queue_release(&work->queue);
+	error_watch_release(&work->watch);
+}
+
+void
+collapses_release(struct collapses *work)
+{
+	collapses_end(work);
+	half_edges_free(work->mesh);
+	work->mesh = NULL;
+	array_release(&work->positions);
+	array_release(&work->fixed);
 	array_release(&work->features);
 	array_release(&work->surfaces);
-	error_watch_release(&work->watch);
-	node_queue_release(&work->queue);
 	array_release(&work->spokes);
 	array_release(&work->candidates);
 	array_release(&work->touched);

@@ -107,6 +107,10 @@ bool collapses_face(
 /* Whether a node is not where it was at the beginning. */
 bool collapses_is_moved(const struct collapses *work, uint32_t node);
 
+/* Nothing will be collapsed any more: give back what that takes. Faces,
+   positions and counts stay. */
+void collapses_end(struct collapses *work);
+
 void collapses_release(struct collapses *work);
 
 /* ---- between the files of the simplifier ---------------------------------- */

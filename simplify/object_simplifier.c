@@ -5,6 +5,10 @@
 #include "level_report.h"
 #include "lod_home.h"
 
+/* Triangles of an object that uses several threads, and whose memory is given
+   back as soon as may be. */
+#define LARGE 100000
+
 /* In so many steps openings are dissolved. */
 #define OPENING_BATCHES 16
 
@@ -30,6 +34,7 @@ prepare(struct object_simplifier *simplifier,
 		status = sheets_build(&simplifier->sheets, set, fault);
 	if (status)
 		return status;
+	set->jobs = set->triangles.count > LARGE ? settings->jobs : 1;
 	array_trim(&set->edges.uses);
 	reach = contact_reach(set);
 	status = seams_find(&simplifier->seams, set, &simplifier->sheets, reach,
@@ -227,7 +232,7 @@ write_kept(struct object_simplifier *simplifier,
 
 static enum tcs_status
 make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
-	const struct simplify_level *level, struct report *report,
+	const struct simplify_level *level, bool last, struct report *report,
 	struct tcs_fault *fault)
 {
 	struct collapses *work = &simplifier->collapses;
@@ -242,12 +247,30 @@ make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	if (!status)
 		status = report_add(report, "overlaps parted",
 			simplifier->overlaps.parted, fault);
+	if (last && simplifier->source.set.triangles.count > LARGE) {
+		seams_release(&simplifier->seams);
+		collapses_end(work);
+	}
 	if (!status)
 		status = write_level(simplifier, in, level, fault);
 	if (!status)
 		status = level_report(
 			simplifier, in, level, target, report, fault);
 	return status;
+}
+
+static void
+release_all_but_writer(struct object_simplifier *simplifier)
+{
+	lod_source_release(&simplifier->source);
+	sheets_release(&simplifier->sheets);
+	array_release(&simplifier->contacts);
+	seams_release(&simplifier->seams);
+	collapses_release(&simplifier->collapses);
+	openings_release(&simplifier->openings);
+	overlaps_release(&simplifier->overlaps);
+	array_release(&simplifier->homes);
+	array_release(&simplifier->hosts);
 }
 
 enum tcs_status
@@ -265,22 +288,16 @@ simplify_object(struct object_simplifier *simplifier,
 	if (!status)
 		status = write_kept(simplifier, settings, in, fault);
 	for (size_t i = 0; !status && i < settings->level_count; i++)
-		status = make_level(
-			simplifier, in, &settings->levels[i], report, fault);
+		status = make_level(simplifier, in, &settings->levels[i],
+			i + 1 == settings->level_count, report, fault);
+	if (simplifier->source.set.triangles.count > LARGE)
+		release_all_but_writer(simplifier);
 	return status;
 }
 
 void
 object_simplifier_release(struct object_simplifier *simplifier)
 {
-	lod_source_release(&simplifier->source);
-	sheets_release(&simplifier->sheets);
-	array_release(&simplifier->contacts);
-	seams_release(&simplifier->seams);
-	collapses_release(&simplifier->collapses);
+	release_all_but_writer(simplifier);
 	lod_write_release(&simplifier->writer);
-	openings_release(&simplifier->openings);
-	overlaps_release(&simplifier->overlaps);
-	array_release(&simplifier->homes);
-	array_release(&simplifier->hosts);
 }

@@ -31,6 +31,7 @@ struct simplify_settings {
 	double base_ratio; /* of the cost of a boundary vertex */
 	enum placement placement;
 	double max_error; /* metres, see error_watch.h; 0: any */
+	unsigned jobs; /* threads that a large object may use; 0 is 1 */
 	struct tcs_crs crs;
 };
 

@@ -139,6 +139,7 @@ simplify_stream(struct run *run, struct tcs_fault *fault)
 
 	if (status)
 		return status;
+	run->settings.jobs = command->jobs;
 	writer_init(&run->writer, stage->out.file, 0);
 	progress_begin(&run->progress, command->program->name, "objects",
 		command->quiet);
