@@ -26,7 +26,7 @@ struct search {
 double
 contact_reach(const struct component_set *set)
 {
-	return fmax(0.01, 0.001 * box_diagonal(&set->bounds));
+	return fmin(0.1, fmax(0.01, 0.001 * box_diagonal(&set->bounds)));
 }
 
 static struct tcs_point

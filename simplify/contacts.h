@@ -19,8 +19,9 @@ struct contact {
 
 TCS_ARRAY_TYPE(contact_list, struct contact);
 
-/* What counts as touching in an object of this size: 1 cm, or 0.1 % of the
-   diagonal where that is more. Metres. */
+/* What counts as touching in an object of this size: 0.1 % of the diagonal, but
+   from 1 cm to 10 cm: parts of a terminal or of a block of houses are no
+   farther apart than those of a house. Metres. */
 double contact_reach(const struct component_set *set);
 
 /*

@@ -245,8 +245,8 @@ main(int argc, char **argv)
 			"differ most.",
 			&options.html, 0, 0, NULL},
 		{OPTION_NUMBER, 0, "eps", "METRES",
-			"What still touches (default: 0.01, or a thousandth "
-			"of the object's diagonal where that is more).",
+			"What still touches (default: a thousandth of the "
+			"object's diagonal, from 0.01 to 0.1).",
 			&options.settings.eps, 1e-6, 1000, NULL},
 		{OPTION_PARSE, 0, "lod-a", "N",
 			"Level of detail of A (default: the highest of each "

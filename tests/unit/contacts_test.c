@@ -141,6 +141,11 @@ what_is_measured_of_a_box_is_exact(void)
 		(struct tcs_point){30, 0, 40});
 	CHECK(!component_set_build(&set, &fault));
 	CHECK(contact_reach(&set) == 0.05);
+	component_set_clear(&set);
+	add_box(&set, 1, (struct tcs_point){0, 0, 0},
+		(struct tcs_point){300, 0, 400});
+	CHECK(!component_set_build(&set, &fault));
+	CHECK(contact_reach(&set) == 0.1);
 	component_set_release(&set);
 }
 
