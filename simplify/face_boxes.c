@@ -315,12 +315,13 @@ face_boxes_near(const struct face_boxes *boxes, uint32_t number,
 	struct tcs_fault *fault)
 {
 	const struct face_run *run = &boxes->runs.at[number];
-	const uint32_t *faces = boxes->faces.at + run->first_face;
+	const uint32_t *faces;
 	struct block_walk walk;
 
 	out->count = 0;
 	if (!run->face_count)
 		return TCS_OK;
+	faces = boxes->faces.at + run->first_face;
 	walk_begin(&walk, run);
 	while (walk.height > 0) {
 		struct block_place at = walk.stack[--walk.height];

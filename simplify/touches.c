@@ -226,27 +226,42 @@ ask_vertex(struct look *look, uint32_t corner)
 
 /* ---- edges that pierce --------------------------------------------------- */
 
+/* The corner opposite to an edge, if it lies in the other component, too:
+   behind the face that the edge passes through, or on its plane. */
+static enum tcs_status
+add_opposite(struct look *look, uint32_t corner, uint32_t other)
+{
+	const struct sheets *sheets = look->scene->sheets;
+	uint32_t apex = corner - corner % 3 + (corner + 2) % 3;
+	uint32_t node = node_at(look, apex);
+	struct triangle_shape face = shape_of(look, other);
+	struct tcs_point at =
+		look->scene->set->points.at[sheets->nodes.at[node].point];
+	double height = vector_dot(sheets->normals.at[other],
+		vector_difference(at, face.corner[0]));
+
+	return height > look->scene->reach ? TCS_OK
+					   : add_plane(look, node, other);
+}
+
 /*
  * An edge that lies in the other component between two parallel faces, the
- * diagonal of a quad: the corners across it are boundary vertices, too.
+ * diagonal of a quad: the corners across it are boundary vertices, too, where
+ * they are embedded as it is. The upper ends of a column that rests on a slab
+ * are not, though diagonals of its sides end there.
  */
 static enum tcs_status
 add_embedded(struct look *look, uint32_t corner, uint32_t other)
 {
-	const struct sheets *sheets = look->scene->sheets;
-	uint32_t back = sheets->opposites.at[corner];
-	const struct tcs_point *normals = sheets->normals.at;
+	uint32_t back = look->scene->sheets->opposites.at[corner];
+	const struct tcs_point *normals = look->scene->sheets->normals.at;
 	enum tcs_status status;
 
 	if (back == HALF_EDGE_NONE ||
 		vector_dot(normals[corner / 3], normals[back / 3]) < SAME_PLANE)
 		return TCS_OK;
-	status = add_plane(look,
-		node_at(look, corner - corner % 3 + (corner + 2) % 3), other);
-	return status ? status
-		      : add_plane(look,
-				node_at(look, back - back % 3 + (back + 2) % 3),
-				other);
+	status = add_opposite(look, corner, other);
+	return status ? status : add_opposite(look, back, other);
 }
 
 static struct edge

@@ -207,6 +207,35 @@ vertices_of_a_beam_through_a_wall_meet_it(void)
 	release(&scene);
 }
 
+/* W3 (c) is for what is embedded as its diagonals are. */
+static void
+the_far_end_of_a_column_on_a_slab_is_free(void)
+{
+	struct scene scene = {0};
+	size_t low = 0, high = 0;
+
+	add_box(&scene, 1, (struct tcs_point){0, 0, 0},
+		(struct tcs_point){5, 5, 0.3}, 0);
+	add_box(&scene, 2, (struct tcs_point){2, 2, 0.3},
+		(struct tcs_point){0.5, 0.5, 3}, 0);
+	find(&scene, 0.01);
+	CHECK(scene.contacts.count == 1);
+	for (uint32_t i = 0; i < scene.sheets.node_count; i++) {
+		const struct sheet_node *node = &scene.sheets.nodes.at[i];
+		bool met = count_planes(&scene, i) > 0;
+
+		if (node->component != 1)
+			continue;
+		if (scene.set.points.at[node->point].z > 1)
+			high += met;
+		else
+			low += met;
+	}
+	CHECK(low == 4);
+	CHECK(high == 0);
+	release(&scene);
+}
+
 enum { CELLS = 30 };
 
 /* A rug of many faces in random order, as one component. */
@@ -306,6 +335,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(points_lie_on_the_faces_that_hold_them),
 	CHECK_TEST(a_box_on_a_slab_is_watched_at_its_corners),
 	CHECK_TEST(vertices_of_a_beam_through_a_wall_meet_it),
+	CHECK_TEST(the_far_end_of_a_column_on_a_slab_is_free),
 	CHECK_TEST(faces_near_a_box_are_found),
 	CHECK_TEST(threads_change_nothing),
 	{0},
