@@ -159,7 +159,7 @@ else
 	run_test cppcheck_finds_nothing
 	# What was built with WERROR=1 need not be built again.
 	gcc=$tests_folder/gcc
-	[[ ! ${WERROR-} || ${BUILD##*/} != release ]] || gcc=$BUILD
+	[[ ! ${WERROR-} || ${BUILD##*/} != release ]] || gcc=${BUILD#"$root"/}
 	run_test it_builds_without_a_warning gcc "$gcc" ''
 	rm -rf "$tests_folder/gcc"
 	# Its warnings do not depend on what it optimises.
