@@ -71,9 +71,7 @@ array_clear_bytes(void *array)
 void
 array_trim_bytes(void *array, size_t size)
 {
-	enum { KEPT = 1 << 20 };
-
-	if (array_view(array).room > KEPT / size)
+	if (array_view(array).room > ARRAY_KEPT / size)
 		array_release_bytes(array);
 	else
 		array_clear_bytes(array);

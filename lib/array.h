@@ -64,7 +64,12 @@ struct tcs_array {
  * Forget the elements, and give back the memory where it is more than 1 MB: for
  * scratch that one large item has grown.
  */
-#define array_trim(array) array_trim_bytes((array), sizeof *(array)->at)
+#define array_trim(array) \
+	((array)->room && (array)->room <= ARRAY_KEPT / sizeof *(array)->at \
+			? (void)((array)->count = 0) \
+			: array_trim_bytes((array), sizeof *(array)->at))
+
+enum { ARRAY_KEPT = 1 << 20 }; /* bytes */
 
 int array_grow_bytes(void *array, size_t size, size_t more) TCS_CHECKED;
 void array_release_bytes(void *array);

@@ -113,6 +113,23 @@ helper_take(struct gml_reader *reader)
 	return NULL;
 }
 
+/* Only the leader reads templates: seen at once, nothing is read in vain. */
+static bool
+names_template(const char *at, size_t length)
+{
+	static const char name[] = "ImplicitGeometry";
+	const char *end = at + length;
+
+	for (; (size_t)(end - at) >= sizeof name; at++) {
+		at = memchr(at, name[0], (size_t)(end - at) - sizeof name + 1);
+		if (!at)
+			return false;
+		if (!memcmp(at, name, sizeof name - 1))
+			return true;
+	}
+	return false;
+}
+
 enum tcs_status
 helper_read(struct helper *helper, const struct helper_start *start,
 	char *bytes, const struct document_piece *piece,
@@ -129,6 +146,8 @@ helper_read(struct helper *helper, const struct helper_start *start,
 		return status;
 	gml_recycle(reader, *out);
 	*out = NULL;
+	if (names_template(bytes + piece->first, piece->length))
+		return TCS_OK;
 	reader->out_of_turn = false;
 	gml_move(reader, piece->at, piece->line, reader->objects);
 	status = xml_feed_element(reader->xml, bytes + piece->first,
