@@ -6,8 +6,8 @@
 void
 palette_numbers_release(struct palette_numbers *numbers)
 {
-	keys_release(&numbers->materials);
-	keys_release(&numbers->images);
+	digests_release(&numbers->materials);
+	digests_release(&numbers->images);
 	keys_release(&numbers->files);
 	folder_close(&numbers->folder);
 	report_release(&numbers->found);
@@ -20,45 +20,23 @@ palette_numbers_release(struct palette_numbers *numbers)
 /* ---- keys ------------------------------------------------------------------- */
 
 static enum tcs_status
-key_begin(struct palette_numbers *numbers, struct tcs_fault *fault)
-{
-	array_clear(&numbers->key);
-	return array_grow(&numbers->key, 1) ? fault_memory(fault) : TCS_OK;
-}
-
-/* Bytes of any kind, as digits. */
-static enum tcs_status
-key_add_bytes(struct palette_numbers *numbers, const void *bytes, size_t length,
+key_add(struct palette_numbers *numbers, const void *bytes, size_t length,
 	struct tcs_fault *fault)
 {
-	const unsigned char *at = bytes;
-
-	if (array_grow(&numbers->key, 2 * length))
+	if (array_grow(&numbers->key, length))
 		return fault_memory(fault);
-	for (size_t i = 0; i < length; i++) {
-		char *to = numbers->key.at + numbers->key.count;
-
-		to[0] = (char)('a' + (at[i] >> 4));
-		to[1] = (char)('a' + (at[i] & 15));
-		numbers->key.count += 2;
-	}
+	if (length)
+		memcpy(numbers->key.at + numbers->key.count, bytes, length);
+	numbers->key.count += length;
 	return TCS_OK;
 }
 
-/* A line of text; the key ends with it, so far. */
+/* With the NUL behind it. */
 static enum tcs_status
 key_add_text(struct palette_numbers *numbers, const char *text,
 	struct tcs_fault *fault)
 {
-	size_t length = strlen(text);
-
-	if (array_grow(&numbers->key, length + 2))
-		return fault_memory(fault);
-	memcpy(numbers->key.at + numbers->key.count, text, length);
-	numbers->key.count += length;
-	numbers->key.at[numbers->key.count++] = '\n';
-	numbers->key.at[numbers->key.count] = 0;
-	return TCS_OK;
+	return key_add(numbers, text, strlen(text) + 1, fault);
 }
 
 static enum tcs_status
@@ -80,17 +58,17 @@ material_number(struct palette_numbers *numbers,
 {
 	const char *id = palette_text(palette, material->id);
 	struct tcs_material fields = *material;
-	enum tcs_status status = key_begin(numbers, fault);
+	enum tcs_status status;
 	bool added = false;
 
 	fields.id = 0;
-	if (!status)
-		status = key_add_bytes(numbers, &fields, sizeof fields, fault);
+	array_clear(&numbers->key);
+	status = key_add(numbers, &fields, sizeof fields, fault);
 	if (!status)
 		status = key_add_text(numbers, id, fault);
 	if (!status)
-		status = keys_add(&numbers->materials, numbers->key.at, out,
-			&added, fault);
+		status = digests_add(&numbers->materials, numbers->key.at,
+			numbers->key.count, out, &added, fault);
 	if (status || !added)
 		return status;
 	if (array_grow(&numbers->fresh.materials, 1))
@@ -164,23 +142,22 @@ image_number(struct palette_numbers *numbers, const struct tcs_palette *palette,
 {
 	const tcs_text texts[] = {
 		image->uri, image->mime, image->type, image->id};
-	enum tcs_status status = key_begin(numbers, fault);
+	enum tcs_status status = TCS_OK;
 	bool added = false;
 
+	array_clear(&numbers->key);
 	for (size_t i = 0; !status && i < sizeof texts / sizeof *texts; i++)
 		status = key_add_text(
 			numbers, palette_text(palette, texts[i]), fault);
 	if (!status)
-		status = key_add_bytes(
+		status = key_add(
 			numbers, &image->wrap, sizeof image->wrap, fault);
 	if (!status)
-		status = key_add_bytes(
+		status = key_add(
 			numbers, image->border, sizeof image->border, fault);
 	if (!status)
-		status = key_add_text(numbers, "", fault);
-	if (!status)
-		status = keys_add(
-			&numbers->images, numbers->key.at, out, &added, fault);
+		status = digests_add(&numbers->images, numbers->key.at,
+			numbers->key.count, out, &added, fault);
 	if (!status && added)
 		status = image_copy(numbers, palette, image, fault);
 	if (!status && added)

@@ -9,6 +9,7 @@
 #ifndef TESSERA_CITYGML_PALETTE_H
 #define TESSERA_CITYGML_PALETTE_H
 
+#include "citygml_digests.h"
 #include "citygml_keys.h"
 #include "folder.h"
 #include "report.h"
@@ -19,7 +20,7 @@
 
 /* All zero is empty; without a folder no image is looked up. */
 struct palette_numbers {
-	struct key_table materials, images; /* of the stream so far */
+	struct digest_table materials, images; /* of the stream so far */
 	struct folder folder;
 	struct key_table files; /* of the folder that were looked up … */
 	struct report found; /* … once, in whatever pass */
