@@ -1,6 +1,6 @@
 /*
  * lod_peer --peer NAME --rate R: simplify every object of a stream by a method
- * to compare with. Components share no vertex, an object has one number of
+ * to compare with; --seconds prints what the method alone took of CPU time. Components share no vertex, an object has one number of
  * triangles for all of them together, and each triangle gets the surface of
  * the nearest one of its component before. What is drawn at the highest level of detail
  * is taken, as one geometry; placed prototypes are passed on.
@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "frame.h"
 #include "output.h"
@@ -32,6 +33,7 @@ static const struct method methods[] = {
 struct simplifier {
 	peer_run *run;
 	double rate;
+	double seconds; /* of CPU time, in `run` alone */
 	struct compare_side side;
 	struct peer_mesh in, out;
 	struct tcs_object object; /* the result */
@@ -202,6 +204,28 @@ make_output(struct simplifier *simplifier, const struct tcs_object *from,
 	return TCS_OK;
 }
 
+static double
+cpu_seconds(void)
+{
+	struct timespec now = {0};
+
+	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static int
+run_method(struct simplifier *simplifier)
+{
+	double before = cpu_seconds();
+	size_t count = simplifier->in.triangle_count;
+	int status = simplifier->run(&simplifier->in,
+		(size_t)lround((1 - simplifier->rate) * (double)count),
+		&simplifier->out);
+
+	simplifier->seconds += cpu_seconds() - before;
+	return status;
+}
+
 static enum tcs_status
 simplify(struct simplifier *simplifier, const struct tcs_object *from,
 	const struct tcs_crs *crs, struct tcs_fault *fault)
@@ -218,11 +242,7 @@ simplify(struct simplifier *simplifier, const struct tcs_object *from,
 		return status;
 	count = side->set.triangles.count;
 	if (allocate(simplifier) || make_input(simplifier) ||
-		(count > 0 &&
-			simplifier->run(&simplifier->in,
-				(size_t)lround(
-					(1 - simplifier->rate) * (double)count),
-				&simplifier->out)))
+		(count > 0 && run_method(simplifier)))
 		status = fault_memory(fault);
 	else
 		status = make_output(simplifier, from, &frame, fault);
@@ -310,12 +330,16 @@ int
 main(int argc, char **argv)
 {
 	struct simplifier simplifier = {.rate = 0.5};
+	bool tell = false;
 	const struct option_row rows[] = {
 		{OPTION_PARSE, 0, "peer", "NAME", "which method",
 			&simplifier.run, 0, 0, parse_method},
 		{OPTION_NUMBER, 0, "rate", "R",
 			"share of the triangles to remove (default 0.5)",
 			&simplifier.rate, 0, 1, NULL},
+		{OPTION_FLAG, 0, "seconds", NULL,
+			"print the method's CPU time to standard error", &tell,
+			0, 0, NULL},
 		{0},
 	};
 	const struct program program = {
@@ -337,6 +361,8 @@ main(int argc, char **argv)
 		filter(&simplifier, stdin, out.file, &fault) ||
 		output_commit(&out, &fault))
 		code = program_fail(&command, &fault);
+	if (code == EXIT_DONE && tell)
+		fprintf(stderr, "%.6f\n", simplifier.seconds);
 	output_discard(&out);
 	side_release(&simplifier.side);
 	object_release(&simplifier.object);
