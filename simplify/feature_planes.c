@@ -4,8 +4,17 @@
  * edge across its face. Those of borders stand apart, for the
  * surfaces may become one.
  *
+ * The source's weights of 1000 and 500 for open edges and lines hold for models
+ * whose unit it does not tell, and make everything else free beside them; here
+ * a plane weighs as much as a triangle of so many squares of the edge would, so
+ * that shapes are the same at every scale. A corner has the planes of the lines
+ * that meet in it, and no weight of its own. For the missing side of a rim W
+ * takes the length of the edge that collapses as the distance: that forbids to
+ * straighten what is straight already, so it is the distance from the rim here.
+ *
  * source: L, feature edges and their penalties (Liu, Li, Zhao, Liu, Texture
- * feature preserving simplification); M. Garland, P. Heckbert, 1997, boundary
+ * feature preserving simplification); W, hole vertices (Wang et al. 2021, ISPRS
+ * IJGI 10, 422); M. Garland, P. Heckbert, 1997, boundary
  * constraints.
  */
 #include "collapses.h"
