@@ -193,7 +193,7 @@ judge(struct search *search, const struct plate *upper,
 	const struct plate *lower)
 {
 	struct tcs_point normal = lower->normal, at;
-	double now, above, below;
+	double now, above = NAN, below = NAN;
 	enum tcs_status status;
 
 	if (vector_dot(upper->normal, normal) < PARALLEL)
@@ -246,7 +246,7 @@ visit(struct search *search, const struct overlap_face *there)
 
 	/* A pair of changed faces once. */
 	if (!may_be_parallel(&search->own, there) ||
-		(overlaps->changed.at[face] && face <= search->own.face) ||
+		(face <= search->own.face && overlaps->changed.at[face]) ||
 		component_of(search->work, face) == search->own.component ||
 		!load_plate(search->work, face, &other))
 		return TCS_OK;
