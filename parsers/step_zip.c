@@ -205,7 +205,8 @@ static enum tcs_status
 member_copy(const unsigned char *packed, const struct member *member,
 	uint64_t max_bytes, struct step_bytes *out, struct tcs_fault *fault)
 {
-	if (array_grow(out, member->packed))
+	/* Room behind it, so that there is some for an empty member, too. */
+	if (array_grow(out, (size_t)member->packed + 1))
 		return fault_memory(fault);
 	if (member->packed)
 		memcpy(out->at + out->count, packed, member->packed);
