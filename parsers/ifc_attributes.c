@@ -107,14 +107,17 @@ said_write(struct ifc_saying *saying, uint32_t instance,
 
 enum tcs_status
 ifc_attributes_write(const struct ifc_model *model, uint32_t instance,
-	uint32_t feature, struct tcs_object *out, struct tcs_fault *fault)
+	uint32_t feature, struct ifc_attribute_names *names,
+	struct tcs_object *out, struct tcs_fault *fault)
 {
-	struct ifc_saying saying = {model, out, feature, out->attributes.count};
+	struct ifc_saying saying = {
+		model, out, names, feature, out->attributes.count};
 	const struct ifc_said *type;
 	enum tcs_status status;
 	bool any, material;
 	size_t count;
 
+	ifc_attribute_names_begin(names, out);
 	status = direct_write(&saying, instance, fault);
 	if (!status)
 		status = said_write(&saying, instance, IFC_SAYS_MATERIAL,

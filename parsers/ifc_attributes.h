@@ -12,17 +12,19 @@
 #ifndef TESSERA_IFC_ATTRIBUTES_H
 #define TESSERA_IFC_ATTRIBUTES_H
 
+#include "ifc_attribute_names.h"
 #include "ifc_model.h"
 
 enum { IFC_MOST_ATTRIBUTES = 20000 }; /* of one feature */
 
 /*
- * Append the attributes of the instance, as those of `feature`. Fails with
- * TCS_NO_MEMORY or TCS_LIMIT.
+ * Append the attributes of the instance, as those of `feature`. `names` is
+ * scratch that one feature after the other may use. Fails with TCS_NO_MEMORY
+ * or TCS_LIMIT.
  */
 enum tcs_status ifc_attributes_write(const struct ifc_model *model,
-	uint32_t instance, uint32_t feature, struct tcs_object *out,
-	struct tcs_fault *fault) TCS_CHECKED;
+	uint32_t instance, uint32_t feature, struct ifc_attribute_names *names,
+	struct tcs_object *out, struct tcs_fault *fault) TCS_CHECKED;
 
 /* ---- ifc_properties.c ---------------------------------------------------- */
 
@@ -30,6 +32,7 @@ enum tcs_status ifc_attributes_write(const struct ifc_model *model,
 struct ifc_saying {
 	const struct ifc_model *model;
 	struct tcs_object *out;
+	struct ifc_attribute_names *names; /* of the feature */
 	uint32_t feature;
 	size_t first; /* of the feature's attributes */
 };

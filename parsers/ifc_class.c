@@ -50,20 +50,22 @@ static const struct {
 };
 
 static size_t
-row_of(enum ifc_version version, enum ifc_entity entity)
+row_of(const struct ifc_file *file, enum ifc_entity entity)
 {
-	size_t last = sizeof rows / sizeof *rows - 1;
+	size_t row = sizeof rows / sizeof *rows - 1;
 
-	for (size_t i = 0; i < last; i++)
-		if (ifc_is(version, entity, rows[i].entity))
-			return i;
-	return last;
+	for (; entity != IFC_NONE;
+		entity = (enum ifc_entity)file->supers[entity])
+		for (size_t i = 0; i < row; i++)
+			if (rows[i].entity == entity)
+				row = i;
+	return row;
 }
 
 enum tcs_class
-ifc_class_alone(enum ifc_version version, enum ifc_entity entity)
+ifc_class_alone(const struct ifc_file *file, enum ifc_entity entity)
 {
-	return rows[row_of(version, entity)].alone;
+	return rows[row_of(file, entity)].alone;
 }
 
 /* Parts of bridges and tunnels have classes of their own. */
@@ -87,10 +89,10 @@ static const struct {
 };
 
 enum tcs_class
-ifc_class_within(
-	enum ifc_version version, enum ifc_entity entity, enum tcs_class object)
+ifc_class_within(const struct ifc_file *file, enum ifc_entity entity,
+	enum tcs_class object)
 {
-	enum tcs_class class = rows[row_of(version, entity)].within;
+	enum tcs_class class = rows[row_of(file, entity)].within;
 
 	if (object != TCS_CLASS_Bridge && object != TCS_CLASS_Tunnel)
 		return class;

@@ -12,15 +12,15 @@
 #ifndef TESSERA_IFC_CLASS_H
 #define TESSERA_IFC_CLASS_H
 
-#include "ifc_schema.h"
+#include "ifc_file.h"
 #include "labels.h"
 
 /* The class of an entity as an object of the stream. */
 enum tcs_class ifc_class_alone(
-	enum ifc_version version, enum ifc_entity entity);
+	const struct ifc_file *file, enum ifc_entity entity);
 
 /* … as a part of an object of the class `object`. */
-enum tcs_class ifc_class_within(enum ifc_version version,
+enum tcs_class ifc_class_within(const struct ifc_file *file,
 	enum ifc_entity entity, enum tcs_class object);
 
 #endif

@@ -47,14 +47,14 @@ class_within(
 		if (step_is(&type, "LANDING"))
 			entity = IFC_STAIRFLIGHT;
 	}
-	return ifc_class_within(file->version, entity, object);
+	return ifc_class_within(file, entity, object);
 }
 
 /* The class that the object as a whole has. */
 static enum tcs_class
 class_alone(const struct ifc_model *model, const struct ifc_member *root)
 {
-	return ifc_class_alone(model->file.version,
+	return ifc_class_alone(&model->file,
 		ifc_entity_of(
 			&model->file, model->tree.at[root->node].instance));
 }
@@ -122,6 +122,7 @@ ifc_features_write(const struct ifc_model *model,
 	const struct ifc_member *members =
 		model->objects.members.at + object->first_member;
 	enum tcs_class class = class_alone(model, members);
+	struct ifc_attribute_names names = {.first = 0};
 	enum tcs_status status = TCS_OK;
 
 	for (uint32_t i = first; i < first + count && !status; i++) {
@@ -129,9 +130,10 @@ ifc_features_write(const struct ifc_model *model,
 		if (!status)
 			status = ifc_attributes_write(model,
 				model->tree.at[members[i].node].instance, i,
-				out, fault);
+				&names, out, fault);
 		if (!status)
 			status = filling_add(model, members + i, i, out, fault);
 	}
+	ifc_attribute_names_release(&names);
 	return status;
 }

@@ -174,21 +174,6 @@ attribute_set(struct ifc_saying *saying, uint32_t parent, tcs_text name,
 
 /* ---- properties ---------------------------------------------------------- */
 
-/* The attribute of the feature with a name and parent; TCS_NONE. */
-static uint32_t
-attribute_find(const struct ifc_saying *saying, uint32_t parent, tcs_text name)
-{
-	const struct tcs_object *out = saying->out;
-	const char *wanted = object_text(out, name);
-
-	for (size_t i = saying->first; i < out->attributes.count; i++)
-		if (out->attributes.at[i].parent == parent &&
-			!strcmp(object_text(out, out->attributes.at[i].name),
-				wanted))
-			return (uint32_t)i;
-	return TCS_NONE;
-}
-
 /* A name that is said already is passed over: false in *fresh. */
 static enum tcs_status
 name_take(const struct ifc_saying *saying, uint32_t parent,
@@ -196,9 +181,12 @@ name_take(const struct ifc_saying *saying, uint32_t parent,
 	struct tcs_fault *fault)
 {
 	enum tcs_status status = ifc_text_add(saying->out, value, name, fault);
+	uint32_t found = TCS_NONE;
 
-	*fresh = !status && *name &&
-		attribute_find(saying, parent, *name) == TCS_NONE;
+	if (!status && *name)
+		status = ifc_attribute_find(saying->names, saying->out, parent,
+			*name, &found, fault);
+	*fresh = *name && found == TCS_NONE;
 	return status;
 }
 
@@ -378,7 +366,10 @@ ifc_properties_write(
 			saying->out, "Properties", 10, &name, fault);
 	if (status)
 		return status;
-	at = attribute_find(saying, TCS_NONE, name);
+	status = ifc_attribute_find(
+		saying->names, saying->out, TCS_NONE, name, &at, fault);
+	if (status)
+		return status;
 	if (at == TCS_NONE || saying->out->attributes.at[at].type != TCS_SET)
 		status = attribute_set(saying, TCS_NONE, name, &at, fault);
 	if (status)
