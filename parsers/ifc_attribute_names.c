@@ -62,7 +62,7 @@ attribute_index(struct ifc_attribute_names *names,
 	enum tcs_status status = key_make(
 		names, object, attribute->parent, attribute->name, fault);
 	uint32_t number;
-	bool added;
+	bool added = false;
 
 	if (!status)
 		status = byte_index_add(&names->index, names->key.at,

@@ -64,7 +64,7 @@ triangles_of(const struct report *report)
 static void
 measure(const char *name, FILE *nowhere, int rounds)
 {
-	double seconds[MOST_ROUNDS];
+	double seconds[MOST_ROUNDS] = {0};
 	uint64_t triangles = 0;
 
 	for (int i = 0; i < rounds; i++) {
