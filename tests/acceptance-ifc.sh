@@ -8,6 +8,9 @@
 # that has not must stand, with the reason, in
 # acceptance-ifc-differences.tsv, and each line there must be needed.
 #
+# Each stream must become CityGML 2.0 and 3.0 that is valid, where the schemas
+# are beside FOLDER, with ids that are unique and links that lead somewhere.
+#
 # WORK names an empty folder to keep what is made; otherwise nothing is kept.
 # Prints what disagrees, and "N passed, N failed" as its last line.
 set -u
@@ -24,6 +27,18 @@ else
 fi
 export ROOT DATA WORK PATH LC_ALL=C
 
+# written NUMBER PATH: the stream as CityGML, with sound ids.
+written() {
+	local version
+	for version in 2.0 3.0; do
+		tcs2citygml -q --citygml $version "$at.tcs" -o "$at-$version.gml" ||
+			echo "$2: not written as CityGML $version" >>"$at.broken"
+	done
+	python3 "$ROOT/tests/check_ids.py" - "$at"-[23].0.gml >"$at.ids" ||
+		sed "s|^|$2: |" "$at.ids" >>"$at.broken"
+}
+export -f written
+
 # one NUMBER PATH: what becomes of one file, as files named by its number.
 one() {
 	local at=$WORK/$1 file=$DATA/$2 status
@@ -34,6 +49,7 @@ one() {
 			echo "$2: one job is not two jobs" >>"$at.broken"
 		tcs2json "$at.tcs" | python3 "$ROOT/tests/ifc_reference.py" \
 			"$DATA/REFERENCE.tsv" "$2" | sed "s|^|$2\t|" >"$at.verdicts"
+		written "$@"
 	elif ((status != 1)) || [[ $(wc -l <"$at.said") != 1 || -e $at.tcs ]]; then
 		echo "$2: status $status" >>"$at.broken"
 	fi
@@ -48,6 +64,16 @@ export -f one
 tail -n +2 "$DATA/MANIFEST.tsv" | cut -f 1 |
 	awk '{ printf "%d%c%s%c", NR, 0, $0, 0 }' |
 	xargs -0 -n 2 -P "$(nproc)" bash -c 'one "$@"' one
+
+# Files in one call: a schema is read once.
+schemas=$DATA/../schemas
+for version in 2.0 3.0; do
+	[[ -d $schemas ]] || break
+	printf '%s\0' "$WORK"/*-$version.gml |
+		XML_CATALOG_FILES=$schemas/catalog.xml xargs -0 xmllint --huge \
+			--nonet --noout --schema "$schemas/citygml-$version.xsd" 2>&1 |
+		grep -v ' validates$' >"$WORK/invalid-$version.broken"
+done
 
 cat "$WORK"/*.verdicts | sort >"$WORK/verdicts"
 cat "$WORK"/*.broken 2>/dev/null

@@ -320,6 +320,22 @@ const char *compose_id_in(struct composer *composer,
 enum tcs_status plan_features(
 	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
 
+/* ---- citygml_elements.c -------------------------------------------------- */
+
+/* Whether the feature was a product of IFC. */
+bool element_is_ifc(const struct composer *composer, uint32_t feature);
+
+/* The boundary surface that a constructive element is in 1.0 and 2.0;
+   Unknown for none, and in 3.0. */
+unsigned element_surface(const struct composer *composer, uint32_t feature);
+
+/* For each feature the one in whose opening it stands; TCS_NONE for none.
+   Fails with TCS_NO_MEMORY. */
+enum tcs_status elements_find_hosts(const struct composer *composer,
+	uint32_t *hosts, struct tcs_fault *fault) TCS_CHECKED;
+
+/* ---- */
+
 enum tcs_status item_add(struct composer *composer, uint32_t feature,
 	uint16_t property, enum item_kind kind, uint32_t index,
 	struct tcs_fault *fault) TCS_CHECKED;

@@ -1,4 +1,5 @@
 /* Which class each feature becomes, and where it hangs. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "citygml_compose.h"
@@ -234,6 +235,37 @@ plan_space(struct composer *composer, uint32_t feature, struct tcs_fault *fault)
 	return TCS_OK;
 }
 
+/*
+ * As its class asks, in its parent; what was a product of IFC first as the
+ * surface it is before 3.0, and higher up where its parent has no place.
+ */
+static bool
+hang_somewhere(struct composer *composer, uint32_t feature, unsigned class)
+{
+	struct node *node = &composer->nodes.at[feature];
+	const char *role = compose_text(
+		composer, composer->object.features.at[feature].role);
+	uint32_t parent = node->parent;
+
+	if (!element_is_ifc(composer, feature))
+		return hang(composer, node, class, role);
+	while (node->parent != TCS_NONE) {
+		unsigned surface = element_surface(composer, feature);
+
+		if ((surface && hang(composer, node, surface, role)) ||
+			hang(composer, node, class, role))
+			return true;
+		if (label_of(class)->kind == LABEL_OPENING &&
+			!compose_is_3(composer) &&
+			hang(composer, node, TCS_CLASS_BuildingInstallation,
+				role))
+			return true;
+		node->parent = composer->nodes.at[node->parent].parent;
+	}
+	node->parent = parent;
+	return false;
+}
+
 /* A feature below another one. */
 static enum tcs_status
 plan_child(struct composer *composer, uint32_t feature, unsigned class,
@@ -244,7 +276,7 @@ plan_child(struct composer *composer, uint32_t feature, unsigned class,
 	struct node *node = &composer->nodes.at[feature];
 	enum tcs_status status;
 
-	if (hang(composer, node, class, compose_text(composer, given->role))) {
+	if (hang_somewhere(composer, feature, class)) {
 		if (node->number != given->class &&
 			given->class != TCS_CLASS_Window &&
 			given->class != TCS_CLASS_Door && !node->inside)
@@ -312,11 +344,10 @@ holder(const struct composer *composer, uint32_t feature)
  * children; it is written as a member all the same.
  */
 static enum tcs_status
-plan_feature(
-	struct composer *composer, uint32_t feature, struct tcs_fault *fault)
+plan_feature(struct composer *composer, uint32_t feature, uint32_t above,
+	struct tcs_fault *fault)
 {
 	struct node *node = &composer->nodes.at[feature];
-	uint32_t above = composer->object.features.at[feature].parent;
 	unsigned class = class_of(composer, feature);
 	enum tcs_status status;
 
@@ -405,11 +436,60 @@ join_group(struct composer *composer, uint32_t feature, struct tcs_fault *fault)
 	return item_add(composer, above, property, ITEM_MEMBER, feature, fault);
 }
 
+/*
+ * What fills an opening, and what is below such, comes behind all others: its
+ * host must be there. `hosts` is changed to what each feature hangs in, and
+ * `late` says which these are.
+ */
+static void
+hosts_settle(const struct composer *composer, uint32_t *hosts, bool *late)
+{
+	const struct tcs_feature *features = composer->object.features.at;
+
+	for (size_t i = 0; i < composer->object.features.count; i++) {
+		uint32_t parent = features[i].parent;
+
+		late[i] = hosts[i] != TCS_NONE ||
+			(parent != TCS_NONE && late[parent]);
+		if (hosts[i] == TCS_NONE)
+			hosts[i] = parent;
+	}
+	for (size_t i = 0; i < composer->object.features.count; i++)
+		if (hosts[i] != TCS_NONE && hosts[i] != features[i].parent &&
+			late[hosts[i]])
+			hosts[i] = features[i].parent;
+}
+
+/* Place every feature, a parent before its children. */
+static enum tcs_status
+plan_all(struct composer *composer, struct tcs_fault *fault)
+{
+	uint32_t count = (uint32_t)composer->object.features.count;
+	uint32_t *hosts = calloc(count, sizeof *hosts);
+	bool *late = calloc(count, sizeof *late);
+	enum tcs_status status;
+
+	if (!hosts || !late)
+		status = fault_memory(fault);
+	else
+		status = elements_find_hosts(composer, hosts, fault);
+	if (!status)
+		hosts_settle(composer, hosts, late);
+	for (int pass = 0; pass < 2; pass++)
+		for (uint32_t i = 0; i < count && !status; i++)
+			if (late[i] == (pass == 1))
+				status = plan_feature(
+					composer, i, hosts[i], fault);
+	free(hosts);
+	free(late);
+	return status;
+}
+
 enum tcs_status
 plan_features(struct composer *composer, struct tcs_fault *fault)
 {
 	uint32_t count = (uint32_t)composer->object.features.count;
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status;
 
 	array_clear(&composer->nodes);
 	if (array_grow(&composer->nodes, count))
@@ -417,8 +497,7 @@ plan_features(struct composer *composer, struct tcs_fault *fault)
 	memset(composer->nodes.at, 0, count * sizeof *composer->nodes.at);
 	composer->nodes.count = count;
 	mark_inside(composer);
-	for (uint32_t i = 0; i < count && !status; i++)
-		status = plan_feature(composer, i, fault);
+	status = plan_all(composer, fault);
 	for (uint32_t i = 0; i < count && !status; i++)
 		status = name_feature(composer, i, fault);
 	for (uint32_t i = 0; i < count && !status; i++)
