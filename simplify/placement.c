@@ -180,7 +180,7 @@ enum tcs_status
 placement_check(struct collapses *work, uint32_t node, uint32_t target,
 	bool *fine, struct tcs_fault *fault)
 {
-	struct edge_rings rings;
+	struct edge_rings rings = {0};
 	struct tcs_point place;
 	enum tcs_status status;
 	double cost;
@@ -201,7 +201,7 @@ enum tcs_status
 placement_do(struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_fault *fault)
 {
-	struct edge_rings rings;
+	struct edge_rings rings = {0};
 	struct tcs_point place;
 	enum tcs_status status;
 	double cost;
