@@ -360,6 +360,8 @@ check_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 	enum tcs_status status =
 		look_around(work, vertex, target, &count, &half_edge, fault);
 
+	if (!status && count == 0)
+		return TCS_OK; /* it went with its part */
 	*fine = !status && half_edge != HALF_EDGE_NONE &&
 		half_edges_may_collapse(work->mesh, half_edge);
 	if (*fine)

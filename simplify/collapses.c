@@ -95,17 +95,20 @@ add_candidate(struct collapses *work, uint32_t node, uint32_t target,
 	return TCS_OK;
 }
 
-/* The neighbours of a node's first vertex; whether the others have them, too,
-   is found when one is tried. */
+/* The neighbours of the first vertex that a node still has; whether the others
+   have them, too, is found when one is tried. */
 static enum tcs_status
 find_candidates(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 {
-	uint32_t vertex = work->sheets->nodes.at[node].first_vertex;
-	enum tcs_status status;
-	size_t count;
+	const struct sheet_node *fans = &work->sheets->nodes.at[node];
+	enum tcs_status status = TCS_OK;
+	uint32_t end = fans[1].first_vertex;
+	size_t count = 0;
 
 	work->candidates.count = 0;
-	status = spokes_of(work, vertex, &count, fault);
+	for (uint32_t v = fans[0].first_vertex; !status && !count && v < end;
+		v++)
+		status = spokes_of(work, v, &count, fault);
 	for (size_t i = 0; !status && i < count; i++) {
 		uint32_t target = node_of(work, work->spokes.at[i].to);
 
@@ -319,6 +322,42 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 	collapses_weigh(work);
 	status = collapses_weigh_borders(work, fault);
 	return status ? status : collapses_resume(work, settings, fault);
+}
+
+/* Take one face away; its nodes are appended to those touched. */
+static void
+take_face_away(struct collapses *work, uint32_t face)
+{
+	struct seams *seams = work->seams;
+	uint32_t nodes[3];
+
+	if (!collapses_face(work, face, nodes))
+		return;
+	for (int k = 0; k < 3; k++)
+		work->touched.at[work->touched.count++] = nodes[k];
+	while (seams->faces.at[face] != TCS_NONE)
+		seams_open(seams, seams->faces.at[face] / 2);
+	work->surfaces.at[work->features.at[face]]--;
+	work->face_count--;
+}
+
+enum tcs_status
+collapses_take_away(struct collapses *work, const uint32_t *faces, size_t count,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	work->touched.count = 0;
+	if (array_grow(&work->touched, 3 * count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < count; i++)
+		take_face_away(work, faces[i]);
+	for (size_t i = 0; i < count; i++)
+		half_edges_take_away(work->mesh, faces[i]);
+	/* Twins of other sheets are free now; the rest finds nothing. */
+	for (size_t i = 0; !status && i < work->touched.count; i++)
+		status = judge_node(work, work->touched.at[i], fault);
+	return status;
 }
 
 bool

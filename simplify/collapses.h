@@ -100,6 +100,15 @@ enum tcs_status collapses_resume(struct collapses *work,
 enum tcs_status collapses_dissolve(struct collapses *work,
 	const uint32_t *homes, struct tcs_fault *fault) TCS_CHECKED;
 
+/*
+ * Take an edge-connected set of faces away: all that has ever been of it, what
+ * is gone already does not matter. Seams that they hold come open. Fails with
+ * TCS_NO_MEMORY.
+ */
+enum tcs_status collapses_take_away(struct collapses *work,
+	const uint32_t *faces, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+
 /* The nodes of a face that is left; false when it is gone. */
 bool collapses_face(
 	const struct collapses *work, uint32_t face, uint32_t nodes[3]);

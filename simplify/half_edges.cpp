@@ -334,3 +334,16 @@ half_edges_collapse(
 	mesh->settle(head, kept);
 	return count;
 }
+
+void
+half_edges_take_away(struct half_edges *mesh, uint32_t face) noexcept
+{
+	Face gone = handle<Face>(face);
+	Half half = mesh->kernel.halfedge_handle(gone);
+
+	if (!half.is_valid())
+		return;
+	for (int k = 0; k < 3; k++, half = mesh->next(half))
+		mesh->kernel.set_halfedge_handle(mesh->head(half), Half());
+	mesh->kernel.set_halfedge_handle(gone, Half());
+}

@@ -75,6 +75,11 @@ bool half_edges_may_collapse(
 size_t half_edges_collapse(struct half_edges *mesh, uint32_t half_edge,
 	uint32_t gone[2]) HALF_EDGES_NOEXCEPT;
 
+/* Take a face away, and its vertices: for all faces of an edge-connected set,
+   one after the other. One that is gone stays so. */
+void half_edges_take_away(
+	struct half_edges *mesh, uint32_t face) HALF_EDGES_NOEXCEPT;
+
 /* The three vertices of a face; false when it is gone. */
 bool half_edges_corners(const struct half_edges *mesh, uint32_t face,
 	uint32_t corners[3]) HALF_EDGES_NOEXCEPT;

@@ -1,5 +1,6 @@
 #include "object_simplifier.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "level_report.h"
@@ -11,6 +12,10 @@
 
 /* In so many steps openings are dissolved. */
 #define OPENING_BATCHES 16
+
+/* Shares of the diagonal, see most_cost. */
+#define WIDEST 0.2
+#define FARTHEST_OFF 0.1
 
 static enum tcs_status
 prepare(struct object_simplifier *simplifier,
@@ -43,6 +48,10 @@ prepare(struct object_simplifier *simplifier,
 		status = collapses_begin(&simplifier->collapses, set,
 			&simplifier->sheets, &simplifier->seams,
 			simplifier->openings.are.at, &first, fault);
+	if (!status)
+		status = removals_begin(&simplifier->removals,
+			&simplifier->collapses, &simplifier->contacts, reach,
+			settings->keep_interior, fault);
 	return status;
 }
 
@@ -63,38 +72,61 @@ dissolve_openings(struct object_simplifier *simplifier, size_t count, bool *any,
 	return status ? status : collapses_resume(work, &work->settings, fault);
 }
 
-/* Collapse; dissolve openings as soon as that is cheaper. */
+/* What nothing may cost: the shape of a square as wide as a fifth of the
+   object's diagonal, off by half of that. */
+static double
+most_cost(const struct object_simplifier *simplifier)
+{
+	double diagonal = box_diagonal(&simplifier->source.set.bounds);
+	double side = WIDEST * diagonal, off = FARTHEST_OFF * diagonal;
+
+	return fmax(side * side * off * off, DBL_MIN);
+}
+
+/* Collapse; dissolve openings and take parts away as soon as that is
+   cheaper. */
 static enum tcs_status
-collapse_walls(struct object_simplifier *simplifier, size_t target,
+reach_target(struct object_simplifier *simplifier, size_t target,
 	struct tcs_fault *fault)
 {
 	struct collapses *work = &simplifier->collapses;
 	struct openings *openings = &simplifier->openings;
+	struct removals *removals = &simplifier->removals;
 	size_t batch = openings->by_area.count / OPENING_BATCHES + 1;
-	bool any = true;
-	enum tcs_status status = collapses_run(
-		work, target, openings_next_cost(openings), fault);
+	enum tcs_status status = TCS_OK;
+	double most = most_cost(simplifier);
+	bool any;
 
-	while (!status && any && work->face_count > target) {
-		status = dissolve_openings(simplifier, batch, &any, fault);
-		if (!status)
-			status = collapses_run(work, target,
-				openings_next_cost(openings), fault);
+	while (!status && work->face_count > target) {
+		double opening = openings_next_cost(openings);
+		double removal = removals_next_cost(removals);
+		double other = fmin(opening, removal);
+
+		status = collapses_run(work, target, fmin(other, most), fault);
+		if (status || work->face_count <= target || other >= most)
+			break;
+		if (removal < opening)
+			status = removals_try(removals, fault);
+		else
+			status = dissolve_openings(
+				simplifier, batch, &any, fault);
 	}
 	return status;
 }
 
 /* As far as it can be brought without falling apart. */
 static enum tcs_status
-collapse_loosely(struct collapses *work, size_t target, struct tcs_fault *fault)
+go_on_loosely(struct object_simplifier *simplifier, size_t target,
+	struct tcs_fault *fault)
 {
+	struct collapses *work = &simplifier->collapses;
 	struct collapse_settings loose = work->settings;
 	enum tcs_status status = TCS_OK;
 
 	loose.loose = true;
 	if (work->face_count > target && !work->settings.loose)
 		status = collapses_resume(work, &loose, fault);
-	return status ? status : collapses_run(work, target, INFINITY, fault);
+	return status ? status : reach_target(simplifier, target, fault);
 }
 
 /*
@@ -116,8 +148,8 @@ reach_level(struct object_simplifier *simplifier,
 		return status;
 	if (level->budget.kind == BUDGET_ERROR)
 		return collapses_run(work, 0, INFINITY, fault);
-	status = collapse_walls(simplifier, target, fault);
-	return status ? status : collapse_loosely(work, target, fault);
+	status = reach_target(simplifier, target, fault);
+	return status ? status : go_on_loosely(simplifier, target, fault);
 }
 
 /* Per feature whether it hosts something that is simplified. */
@@ -269,6 +301,7 @@ release_all_but_writer(struct object_simplifier *simplifier)
 	collapses_release(&simplifier->collapses);
 	openings_release(&simplifier->openings);
 	overlaps_release(&simplifier->overlaps);
+	removals_release(&simplifier->removals);
 	array_release(&simplifier->homes);
 	array_release(&simplifier->hosts);
 }

@@ -12,6 +12,7 @@
 #include "lod_write.h"
 #include "openings.h"
 #include "overlaps.h"
+#include "removals.h"
 #include "report.h"
 
 enum { SIMPLIFY_LEVELS = 8 };
@@ -32,6 +33,7 @@ struct simplify_settings {
 	enum placement placement;
 	double max_error; /* metres, see error_watch.h; 0: any */
 	unsigned jobs; /* threads that a large object may use; 0 is 1 */
+	bool keep_interior; /* parts count as if they were seen */
 	struct tcs_crs crs;
 };
 
@@ -45,6 +47,7 @@ struct object_simplifier {
 	struct lod_writer writer;
 	struct openings openings;
 	struct overlaps overlaps;
+	struct removals removals;
 	TCS_ARRAY(uint32_t) homes; /* see lod_home.h */
 	TCS_ARRAY(bool) hosts; /* per feature: see selection */
 };

@@ -23,11 +23,50 @@ by_area(const void *left, const void *right)
 	return (a->feature > b->feature) - (a->feature < b->feature);
 }
 
+/*
+ * Forget the area of what shares no component with its wall: a window that is
+ * a solid of its own is no part of another.
+ */
+static enum tcs_status
+forget_separate(const struct component_set *set, const uint32_t *homes,
+	size_t features, double *areas, struct tcs_fault *fault)
+{
+	uint32_t *last = malloc((features + 1) * sizeof *last);
+	bool *joined = calloc(features + 1, sizeof *joined);
+
+	if (!last || !joined) {
+		free(last);
+		free(joined);
+		return fault_memory(fault);
+	}
+	for (size_t i = 0; i < features; i++)
+		last[i] = TCS_NONE;
+	for (uint32_t c = 0; c < set->components.count; c++) {
+		const struct component *component = &set->components.at[c];
+		const uint32_t *order = set->order.at + component->first;
+
+		for (uint32_t i = 0; i < component->count; i++)
+			last[set->features.at[order[i]]] = c;
+		for (uint32_t i = 0; i < component->count; i++) {
+			uint32_t feature = set->features.at[order[i]];
+
+			joined[feature] |= last[homes[feature]] == c;
+		}
+	}
+	for (size_t i = 0; i < features; i++)
+		if (!joined[i])
+			areas[i] = 0;
+	free(last);
+	free(joined);
+	return TCS_OK;
+}
+
 static enum tcs_status
 list(struct openings *openings, const struct tcs_object *object,
-	const double *areas, struct tcs_fault *fault)
+	const struct component_set *set, double *areas, struct tcs_fault *fault)
 {
 	size_t count = object->features.count;
+	enum tcs_status status;
 
 	if (array_grow(&openings->by_area, count) ||
 		array_grow(&openings->homes, count) ||
@@ -35,6 +74,9 @@ list(struct openings *openings, const struct tcs_object *object,
 		return fault_memory(fault);
 	openings->homes.count = openings->are.count = count;
 	lod_homes_find(object, WALLS_ONLY, openings->homes.at);
+	status = forget_separate(set, openings->homes.at, count, areas, fault);
+	if (status)
+		return status;
 	for (uint32_t i = 0; i < count; i++) {
 		uint32_t wall = openings->homes.at[i];
 
@@ -69,7 +111,7 @@ openings_find(struct openings *openings, const struct tcs_object *object,
 
 		areas[set->features.at[i]] += triangle_area(&shape);
 	}
-	status = list(openings, object, areas, fault);
+	status = list(openings, object, set, areas, fault);
 	free(areas);
 	return status;
 }

@@ -298,6 +298,10 @@ main(int argc, char **argv)
 		{OPTION_NUMBER, 0, "a", "RATIO",
 			"How much dearer boundary vertices are (default: 2).",
 			&options.settings.base_ratio, 1, 1000, NULL},
+		{OPTION_FLAG, 0, "keep-interior", NULL,
+			"Do not take parts away sooner where they are not "
+			"seen.",
+			&options.settings.keep_interior, 0, 0, NULL},
 		{OPTION_BYTES, 0, "max-record", "BYTES",
 			"Refuse records of more bytes (default: 8G).",
 			&options.max_record, 0, 0, NULL},

@@ -1,0 +1,388 @@
+#include "removals.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "visible.h"
+
+/* What is hidden counts as this share of what is seen. */
+#define HIDDEN_SHARE 0.2
+
+/* A contact is worth a square of this share of the object's diagonal as wide,
+   off by that share of it. */
+#define CONTACT_WIDTH 0.15
+#define CONTACT_DEPTH 0.0075
+
+/* A contact of something that is seen is worth so many times as much. */
+#define SEEN_FACTOR 4
+
+/* Beyond this share of the diagonal from what stays the price rises steeply. */
+#define FAR 0.01
+
+/* From where it is looked at: see visible.h. */
+#define LOWEST_VIEW (-0.1)
+
+enum { MOST_SAMPLES = 16, VIEWS = 24, VIEW_SIZE = 512 };
+
+/* ---- how far its surface is from what stays ------------------------------- */
+
+/* How far a point is from what stays of the parts that are linked to its own,
+   if that is not farther than it is long; INFINITY when none of them stays. */
+static double
+distance_left(const struct removals *removals, const struct part *own,
+	struct tcs_point from)
+{
+	const struct parts *parts = &removals->parts;
+	double least = box_diagonal(&own->box);
+	bool any = false;
+
+	for (uint32_t i = own[0].first_link; i < own[1].first_link; i++) {
+		uint32_t other = parts->links.at[i];
+
+		if (parts->at.at[other].gone)
+			continue;
+		any = true;
+		least = fmin(least,
+			triangle_tree_nearest(&removals->tree,
+				removals->roots.at[other], from, least)
+				.distance);
+	}
+	return any ? least : INFINITY;
+}
+
+static double
+distance_of(const struct removals *removals, const struct part *own)
+{
+	const struct collapses *work = removals->work;
+	uint32_t step = own->count / MOST_SAMPLES + 1;
+	double most = 0;
+
+	for (uint32_t i = 0; i < own->count; i += step) {
+		uint32_t face = removals->parts.faces.at[own->first + i];
+		struct triangle_shape shape = component_set_shape(
+			work->set, work->sheets->face_triangles.at[face]);
+		struct tcs_point middle = vector_scaled(
+			vector_sum(shape.corner[0],
+				vector_sum(shape.corner[1], shape.corner[2])),
+			1.0 / 3);
+
+		most = fmax(most, distance_left(removals, own, middle));
+		for (int k = 0; k < 3; k++)
+			most = fmax(most,
+				distance_left(removals, own, shape.corner[k]));
+	}
+	return most;
+}
+
+/* ---- what breaks --------------------------------------------------------- */
+
+static int
+by_number(const void *left, const void *right)
+{
+	const uint32_t *a = left, *b = right;
+
+	return (*a > *b) - (*a < *b);
+}
+
+/* The contacts of the points that a part holds, one for each. */
+static enum tcs_status
+list_contacts(struct removals *removals, const struct part *part,
+	struct tcs_fault *fault)
+{
+	const struct seams *seams = removals->work->seams;
+
+	removals->contacts.count = 0;
+	for (uint32_t i = 0; i < part->count; i++) {
+		uint32_t face = removals->parts.faces.at[part->first + i];
+
+		for (uint32_t hold = seams->faces.at[face]; hold != TCS_NONE;
+			hold = seams->holds.at[hold].next) {
+			if (array_grow(&removals->contacts, 1))
+				return fault_memory(fault);
+			removals->contacts.at[removals->contacts.count++] =
+				seams->points.at[hold / 2].contact;
+		}
+	}
+	if (removals->contacts.count > 0)
+		qsort(removals->contacts.at, removals->contacts.count,
+			sizeof *removals->contacts.at, by_number);
+	return TCS_OK;
+}
+
+/* How many contacts break, parts of contacts as parts. */
+static double
+count_broken(const struct removals *removals, const struct part *part)
+{
+	const struct seams *seams = removals->work->seams;
+	double broken = 0;
+
+	for (size_t i = 0, end; i < removals->contacts.count; i = end) {
+		uint32_t contact = removals->contacts.at[i];
+		const struct seam_count *count = &seams->counts.at[contact];
+		uint32_t open;
+
+		for (end = i; end < removals->contacts.count &&
+			removals->contacts.at[end] == contact;)
+			end++;
+		open = count->open + (uint32_t)(end - i);
+		broken += open >= count->points	    ? 1
+			: 4 * open >= count->points ? 0.5
+						    : 0;
+	}
+	if (removals->parts.left.at[part->component] == 1)
+		broken += removals->parts.enclosed.at[part->component];
+	return broken;
+}
+
+/* How many surfaces have no face outside of a part: those of its faces are
+   together, as a rule. */
+static double
+count_vanishing(const struct removals *removals, const struct part *part)
+{
+	const struct collapses *work = removals->work;
+	double vanishing = 0;
+	uint32_t faces = 0, corners[3];
+
+	for (uint32_t i = 0; i < part->count; i++) {
+		uint32_t face = removals->parts.faces.at[part->first + i];
+		uint32_t feature = work->features.at[face];
+
+		if (i > 0 &&
+			feature !=
+				work->features.at[removals->parts.faces
+							  .at[part->first + i -
+								  1]])
+			faces = 0;
+		if (!half_edges_corners(work->mesh, face, corners))
+			continue;
+		vanishing += ++faces == work->surfaces.at[feature];
+	}
+	return vanishing;
+}
+
+/* ---- the price ----------------------------------------------------------- */
+
+static uint32_t
+count_faces(const struct removals *removals, const struct part *part)
+{
+	uint32_t count = 0, corners[3];
+
+	for (uint32_t i = 0; i < part->count; i++)
+		count += half_edges_corners(removals->work->mesh,
+			removals->parts.faces.at[part->first + i], corners);
+	return count;
+}
+
+/* With what is known so far of how far it is and how much of it is seen. */
+static enum tcs_status
+price_of(struct removals *removals, uint32_t number, double *price,
+	struct tcs_fault *fault)
+{
+	const struct part *part = &removals->parts.at.at[number];
+	double distance = removals->distances.at[number];
+	double visible =
+		removals->visible.count ? removals->visible.at[number] : 0;
+	double far = distance / removals->far;
+	double allowed = removals->work->settings.max_error;
+	uint32_t faces = count_faces(removals, part);
+	enum tcs_status status = list_contacts(removals, part, fault);
+	double broken;
+
+	*price = INFINITY;
+	if (status || !faces || distance == INFINITY ||
+		(allowed > 0 && distance > allowed))
+		return status;
+	broken = count_broken(removals, part) + count_vanishing(removals, part);
+	if (visible > 0)
+		broken *= SEEN_FACTOR;
+	*price = (fmax(visible, HIDDEN_SHARE * part->area) * distance *
+				 distance * (1 + far * far * far * far) +
+			 broken * removals->contact_cost) /
+		(0.5 * faces);
+	return TCS_OK;
+}
+
+static enum tcs_status
+judge(struct removals *removals, uint32_t number, struct tcs_fault *fault)
+{
+	double price;
+	enum tcs_status status = price_of(removals, number, &price, fault);
+
+	if (!status)
+		node_queue_set(&removals->queue, number, price);
+	return status;
+}
+
+/* ---- looking closer ------------------------------------------------------- */
+
+/* The mean area, as projected, that is seen of every part. */
+static enum tcs_status
+look_at_parts(struct removals *removals, struct tcs_fault *fault)
+{
+	const struct component_set *set = removals->work->set;
+	const struct sheets *sheets = removals->work->sheets;
+	const struct visible_views views = {
+		VIEWS, LOWEST_VIEW, VIEW_SIZE, set->jobs};
+	double *areas = calloc(set->triangles.count + 1, sizeof *areas);
+	enum tcs_status status;
+
+	if (!areas)
+		return fault_memory(fault);
+	status = visible_find(set->points.at, set->points.count,
+		set->triangles.at, set->triangles.count, &views, areas, fault);
+	for (size_t i = 0; !status && i < sheets->face_triangles.count; i++)
+		removals->visible.at[removals->parts.numbers.at[i]] +=
+			areas[sheets->face_triangles.at[i]];
+	free(areas);
+	return status;
+}
+
+static enum tcs_status
+find_visible(struct removals *removals, struct tcs_fault *fault)
+{
+	size_t count = removals->parts.count;
+
+	if (array_grow(&removals->visible, count))
+		return fault_memory(fault);
+	removals->visible.count = count;
+	for (size_t i = 0; i < count; i++)
+		removals->visible.at[i] =
+			removals->all_seen ? removals->parts.at.at[i].area : 0;
+	return removals->all_seen ? TCS_OK : look_at_parts(removals, fault);
+}
+
+static enum tcs_status
+grow_trees(struct removals *removals, struct tcs_fault *fault)
+{
+	const struct component_set *set = removals->work->set;
+	const struct parts *parts = &removals->parts;
+	size_t faces = parts->faces.count;
+	uint32_t *triangles = malloc((faces + 1) * sizeof *triangles);
+	enum tcs_status status = TCS_OK;
+
+	if (!triangles || array_grow(&removals->roots, parts->count)) {
+		free(triangles);
+		return fault_memory(fault);
+	}
+	for (size_t i = 0; i < faces; i++)
+		triangles[i] = removals->work->sheets->face_triangles
+				       .at[parts->faces.at[i]];
+	for (size_t i = 0; !status && i < parts->count; i++)
+		status = triangle_tree_add(&removals->tree, set->points.at,
+			set->triangles.at, triangles + parts->at.at[i].first,
+			parts->at.at[i].count, &removals->roots.at[i], fault);
+	free(triangles);
+	return status;
+}
+
+enum tcs_status
+removals_begin(struct removals *removals, struct collapses *work,
+	const struct contact_list *contacts, double reach, bool all_seen,
+	struct tcs_fault *fault)
+{
+	double diagonal = box_diagonal(&work->set->bounds);
+	double side = CONTACT_WIDTH * diagonal, off = CONTACT_DEPTH * diagonal;
+	enum tcs_status status;
+
+	removals->work = work;
+	removals->all_seen = all_seen;
+	removals->far = FAR * diagonal;
+	removals->contact_cost = side * side * off * off;
+	array_clear(&removals->visible);
+	triangle_tree_release(&removals->tree);
+	status = parts_find(&removals->parts, work->set, work->sheets,
+		work->seams, contacts, reach, fault);
+	if (!status)
+		status = node_queue_reset(
+			&removals->queue, removals->parts.count, fault);
+	if (!status && array_grow(&removals->distances, removals->parts.count))
+		status = fault_memory(fault);
+	for (uint32_t i = 0; !status && i < removals->parts.count; i++) {
+		removals->distances.at[i] = removals->parts.at.at[i].depth;
+		status = judge(removals, i, fault);
+	}
+	return status;
+}
+
+double
+removals_next_cost(const struct removals *removals)
+{
+	const struct queue_entry *first = node_queue_first(&removals->queue);
+
+	return first ? first->cost : INFINITY;
+}
+
+/* ---- taking away --------------------------------------------------------- */
+
+/* Those linked to a part that is gone have fewer contacts now. */
+static enum tcs_status
+judge_linked(struct removals *removals, uint32_t gone, struct tcs_fault *fault)
+{
+	const struct parts *parts = &removals->parts;
+	const struct part *own = &parts->at.at[gone];
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = own[0].first_link; !status && i < own[1].first_link;
+		i++) {
+		uint32_t other = parts->links.at[i];
+
+		if (!parts->at.at[other].gone)
+			status = judge(removals, other, fault);
+	}
+	return status;
+}
+
+static enum tcs_status
+take_away(struct removals *removals, uint32_t number, struct tcs_fault *fault)
+{
+	const struct part *part = &removals->parts.at.at[number];
+	enum tcs_status status;
+	bool gone;
+
+	node_queue_set(&removals->queue, number, INFINITY);
+	status = parts_take_away(&removals->parts, number, &gone, fault);
+	if (status || !gone)
+		return status;
+	status = collapses_take_away(removals->work,
+		removals->parts.faces.at + part->first, part->count, fault);
+	return status ? status : judge_linked(removals, number, fault);
+}
+
+enum tcs_status
+removals_try(struct removals *removals, struct tcs_fault *fault)
+{
+	struct queue_entry first = *node_queue_first(&removals->queue);
+	enum tcs_status status = TCS_OK;
+	double price;
+
+	if (!removals->visible.count) {
+		status = find_visible(removals, fault);
+		if (!status)
+			status = grow_trees(removals, fault);
+	}
+	if (status)
+		return status;
+	removals->distances.at[first.node] = fmax(
+		removals->distances.at[first.node],
+		distance_of(removals, &removals->parts.at.at[first.node]));
+	status = price_of(removals, first.node, &price, fault);
+	if (status)
+		return status;
+	if (price > first.cost) {
+		node_queue_set(&removals->queue, first.node, price);
+		return TCS_OK;
+	}
+	return take_away(removals, first.node, fault);
+}
+
+void
+removals_release(struct removals *removals)
+{
+	parts_release(&removals->parts);
+	node_queue_release(&removals->queue);
+	array_release(&removals->visible);
+	array_release(&removals->distances);
+	triangle_tree_release(&removals->tree);
+	array_release(&removals->roots);
+	array_release(&removals->contacts);
+}

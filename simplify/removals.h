@@ -1,0 +1,59 @@
+/*
+ * What it costs to take a whole part of an object away, beside what collapses
+ * cost, and doing it: the cheapest first, and only what nothing else stands on.
+ *
+ * A part costs the area that is seen of it, and a little of what is not, times
+ * the square of how far its surface is from what stays; and for every contact
+ * that breaks and every surface that vanishes as much as a shape that is off
+ * by a set share of the object's size. That is shared by half of its faces,
+ * for a collapse takes two.
+ *
+ * source: W, small connecting components (Wang et al. 2021, ISPRS IJGI 10,
+ * 422); the cost is ours.
+ */
+#ifndef TESSERA_REMOVALS_H
+#define TESSERA_REMOVALS_H
+
+#include "collapses.h"
+#include "parts.h"
+
+/* All zero is empty; reused from object to object. */
+struct removals {
+	struct parts parts;
+	struct collapses *work; /* borrowed */
+	struct node_queue queue; /* of parts, by their price */
+	/* Per part: square metres that are seen; empty while unknown. */
+	TCS_ARRAY(double) visible;
+	/* Per part: metres that its surface is from what stays, at least. */
+	TCS_ARRAY(double) distances;
+	struct triangle_tree tree; /* of every part, once they are looked at */
+	TCS_ARRAY(uint32_t) roots; /* per part: in the tree */
+	TCS_ARRAY(uint32_t) contacts; /* scratch: one per point held */
+	double far; /* metres from what stays: beyond it the price is steep */
+	double contact_cost; /* of one that breaks */
+	bool all_seen; /* without looking */
+};
+
+/*
+ * Begin with a mesh nothing of which is collapsed; its contacts, and what
+ * counts as touching; `all_seen` lets hidden parts count as if they were seen. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status removals_begin(struct removals *removals,
+	struct collapses *work, const struct contact_list *contacts,
+	double reach, bool all_seen, struct tcs_fault *fault) TCS_CHECKED;
+
+/* What the next removal costs per collapse, at least; INFINITY when none is
+   left. */
+double removals_next_cost(const struct removals *removals);
+
+/*
+ * Look closer at the next removal: take the part away if it costs what it
+ * seemed to, and nothing stands on it alone; else it is dearer from then on.
+ * Fails with TCS_NO_MEMORY, TCS_SYSTEM.
+ */
+enum tcs_status removals_try(
+	struct removals *removals, struct tcs_fault *fault) TCS_CHECKED;
+
+void removals_release(struct removals *removals);
+
+#endif
