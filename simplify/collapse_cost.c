@@ -76,9 +76,12 @@ double
 collapse_cost_at(
 	const struct collapses *work, uint32_t node, struct tcs_point place)
 {
-	struct tcs_point along =
-		vector_difference(place, work->positions.at[node]);
+	struct tcs_point from = work->positions.at[node];
+	struct tcs_point along = vector_difference(place, from);
 
+	/* What stands on the ground stays there. */
+	if (from.z <= work->ground && place.z > work->ground)
+		return INFINITY;
 	return quadric_at(&work->quadrics.at[node], place) +
 		border_cost(work, node, place) +
 		SHORTNESS * work->areas.at[node] * vector_dot(along, along);

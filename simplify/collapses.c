@@ -300,6 +300,7 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 	work->sheets = sheets;
 	work->seams = seams;
 	work->leads = leads;
+	work->ground = set->bounds.low[2] + contact_reach(set);
 	work->face_count = sheets->face_triangles.count;
 	half_edges_free(work->mesh);
 	work->mesh = NULL;

@@ -53,6 +53,7 @@ struct collapses {
 	TCS_ARRAY(uint32_t) features; /* per face: its surface */
 	TCS_ARRAY(uint32_t) surfaces; /* per feature: its faces left */
 	size_t face_count; /* left */
+	double ground; /* what is no higher stands on it, and goes no higher */
 	struct error_watch watch;
 	struct node_queue queue;
 	TCS_ARRAY(struct spoke) spokes; /* scratch */

@@ -22,7 +22,7 @@
 /* From where it is looked at: see visible.h. */
 #define LOWEST_VIEW (-0.1)
 
-enum { MOST_SAMPLES = 16, VIEWS = 24, VIEW_SIZE = 512 };
+enum { MOST_SAMPLES = 16, MOST_LINKS = 1000, VIEWS = 24, VIEW_SIZE = 512 };
 
 /* ---- how far its surface is from what stays ------------------------------- */
 
@@ -314,7 +314,16 @@ removals_next_cost(const struct removals *removals)
 
 /* ---- taking away --------------------------------------------------------- */
 
-/* Those linked to a part that is gone have fewer contacts now. */
+static uint32_t
+links_of(const struct parts *parts, uint32_t part)
+{
+	const struct part *own = &parts->at.at[part];
+
+	return own[1].first_link - own[0].first_link;
+}
+
+/* Those linked to a part that is gone have fewer contacts now. One with many
+   links is judged when its turn comes, or judging would take too long. */
 static enum tcs_status
 judge_linked(struct removals *removals, uint32_t gone, struct tcs_fault *fault)
 {
@@ -326,7 +335,8 @@ judge_linked(struct removals *removals, uint32_t gone, struct tcs_fault *fault)
 		i++) {
 		uint32_t other = parts->links.at[i];
 
-		if (!parts->at.at[other].gone)
+		if (!parts->at.at[other].gone &&
+			links_of(parts, other) <= MOST_LINKS)
 			status = judge(removals, other, fault);
 	}
 	return status;

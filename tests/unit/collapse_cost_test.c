@@ -207,6 +207,24 @@ a_border_between_surfaces_may_not_be_left_unless_it_must(void)
 	sample_release(&sample);
 }
 
+static void
+what_stands_on_the_ground_is_not_lifted_off_it(void)
+{
+	const struct collapse_settings settings = {.base_ratio = 2};
+	struct collapse_sample sample = {0};
+
+	sample_add_box(&sample, 1, (struct tcs_point){0, 0, 0},
+		(struct tcs_point){1, 1, 1});
+	sample_begin(&sample, &settings);
+	CHECK(isinf(cost(&sample, (struct tcs_point){0, 0, 0},
+		(struct tcs_point){0, 0, 1})));
+	CHECK(isfinite(cost(&sample, (struct tcs_point){0, 0, 0},
+		(struct tcs_point){1, 0, 0})));
+	CHECK(isfinite(cost(&sample, (struct tcs_point){0, 0, 1},
+		(struct tcs_point){0, 0, 0})));
+	sample_release(&sample);
+}
+
 static const struct check_test tests[] = {
 	CHECK_TEST(an_ordinary_vertex_in_a_plane_costs_nothing),
 	CHECK_TEST(pulling_out_of_a_contact_costs_more_than_sliding_along_it),
@@ -217,6 +235,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(an_open_rim_is_not_free_to_leave_its_line),
 	CHECK_TEST(a_sharp_edge_is_a_line_and_a_blunt_one_is_none),
 	CHECK_TEST(a_border_between_surfaces_may_not_be_left_unless_it_must),
+	CHECK_TEST(what_stands_on_the_ground_is_not_lifted_off_it),
 	{0},
 };
 
