@@ -147,15 +147,24 @@ put_sequences(const struct step_value *list)
 	}
 }
 
+/* The name of an entity without its "IFC"; "" for one that has none. */
+static const char *
+short_name(enum ifc_entity entity)
+{
+	const char *name = ifc_name(entity);
+
+	return *name ? name + 3 : name;
+}
+
 static void put_instance(uint32_t instance, const char *element);
 
 static void
 put_link(uint32_t target, const char *element, bool typed)
 {
-	const char *name = ifc_name(ifc_entity_of(&file, target));
 	char spelled[LONGEST];
 
-	snprintf(spelled, sizeof spelled, "Ifc%s", name + 3);
+	snprintf(spelled, sizeof spelled, "Ifc%s",
+		short_name(ifc_entity_of(&file, target)));
 	if (typed)
 		element = NULL;
 	if (nests && !written[target])
@@ -242,7 +251,7 @@ put_instance(uint32_t instance, const char *element)
 	struct step_cursor cursor = step_parameters(&step, instance);
 	struct step_value values[MOST_ATTRIBUTES];
 
-	snprintf(name, sizeof name, "Ifc%s", ifc_name(entity) + 3);
+	snprintf(name, sizeof name, "Ifc%s", short_name(entity));
 	written[instance] = true;
 	count = (int)step_fetch(&cursor, values, (size_t)count);
 	printf("<%s", element ? element : name);

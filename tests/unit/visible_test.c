@@ -61,7 +61,7 @@ look(const struct visible_views *views)
 {
 	struct tcs_fault fault;
 
-	CHECK(!visible_find(mesh.points, 3 * mesh.count, mesh.triangles,
+	CHECK(!visible_find(mesh.points, 3 * (size_t)MOST, mesh.triangles,
 		mesh.count, views, mesh.areas, &fault));
 }
 
