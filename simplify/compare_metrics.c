@@ -131,13 +131,16 @@ print_distances(
 static void
 print_health(const struct compare_metrics *m, FILE *to)
 {
-	for (int i = COMPARE_OPEN_BEFORE; i < COMPARE_FLIPPED; i += 2) {
+	for (int i = COMPARE_OPEN_BEFORE; i < COMPARE_CROSSING_NEW; i += 2) {
 		if (!(m->at[i] > 0) && !(m->at[i + 1] > 0))
 			continue;
 		fprintf(to, "  %.*s  %.0f -> %.0f\n",
 			(int)(strlen(rows[i].name) - strlen("_before")),
 			rows[i].name, m->at[i], m->at[i + 1]);
 	}
+	if (m->at[COMPARE_CROSSING_NEW] > 0)
+		fprintf(to, "  crossing_components_new  %.0f\n",
+			m->at[COMPARE_CROSSING_NEW]);
 	if (m->at[COMPARE_FLIPPED] > 0)
 		fprintf(to, "  flipped_triangles  %.0f\n",
 			m->at[COMPARE_FLIPPED]);

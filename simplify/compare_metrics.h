@@ -56,6 +56,11 @@
 	X(DEGENERATE_AFTER, "degenerate_triangles_after", 0, SUM) \
 	X(DUPLICATE_BEFORE, "duplicate_triangles_before", 0, SUM) \
 	X(DUPLICATE_AFTER, "duplicate_triangles_after", 0, SUM) \
+	X(CROSSING_OWN_BEFORE, "self_crossings_before", 0, SUM) \
+	X(CROSSING_OWN_AFTER, "self_crossings_after", 0, SUM) \
+	X(CROSSING_BEFORE, "crossing_components_before", 0, SUM) \
+	X(CROSSING_AFTER, "crossing_components_after", 0, SUM) \
+	X(CROSSING_NEW, "crossing_components_new", 0, SUM) \
 	X(FLIPPED, "flipped_triangles", 0, SUM) \
 	X(PIXELS, "pixels", 0, SUM) \
 	X(HIT, "pixels_hit_share", 3, PIXELS) \

@@ -195,6 +195,28 @@ load_sides(struct comparer *comparer, const struct compare_settings *settings,
 }
 
 static enum tcs_status
+compare_crossings(
+	struct comparer *comparer, double *at, struct tcs_fault *fault)
+{
+	struct crossings *before = &comparer->crossings[0];
+	struct crossings *after = &comparer->crossings[1];
+	enum tcs_status status =
+		crossings_find(&comparer->before.set, before, fault);
+
+	if (!status)
+		status = crossings_find(&comparer->after.set, after, fault);
+	if (status)
+		return status;
+	at[COMPARE_CROSSING_OWN_BEFORE] = (double)before->own;
+	at[COMPARE_CROSSING_OWN_AFTER] = (double)after->own;
+	at[COMPARE_CROSSING_BEFORE] = (double)before->pairs.count;
+	at[COMPARE_CROSSING_AFTER] = (double)after->pairs.count;
+	at[COMPARE_CROSSING_NEW] =
+		(double)crossings_count_new(before, after, &comparer->match);
+	return TCS_OK;
+}
+
+static enum tcs_status
 compare_sides(struct comparer *comparer, double eps,
 	struct compare_result *result, struct tcs_fault *fault)
 {
@@ -217,6 +239,8 @@ compare_sides(struct comparer *comparer, double eps,
 			&result->broken, fault);
 	if (!status)
 		status = name_broken(before, result, fault);
+	if (!status)
+		status = compare_crossings(comparer, at, fault);
 	if (!status)
 		status = find_lost_surfaces(comparer, result, fault);
 	if (status)
@@ -284,6 +308,8 @@ comparer_release(struct comparer *comparer)
 	side_release(&comparer->before);
 	side_release(&comparer->after);
 	match_release(&comparer->match);
+	for (int i = 0; i < 2; i++)
+		crossings_release(&comparer->crossings[i]);
 	pictures_release(&comparer->pictures);
 }
 

@@ -5,6 +5,7 @@
 #define TESSERA_COMPARE_OBJECT_H
 
 #include "compare_contacts.h"
+#include "compare_crossings.h"
 #include "compare_picture.h"
 
 struct compare_settings {
@@ -20,6 +21,7 @@ struct compare_settings {
 struct comparer {
 	struct compare_side before, after;
 	struct compare_match match;
+	struct crossings crossings[2]; /* before, after */
 	struct compare_pictures pictures;
 };
 
