@@ -120,6 +120,8 @@ ifc_attributes_write(const struct ifc_model *model, uint32_t instance,
 	ifc_attribute_names_begin(names, out);
 	status = direct_write(&saying, instance, fault);
 	if (!status)
+		status = ifc_whereabouts_write(&saying, instance, fault);
+	if (!status)
 		status = said_write(&saying, instance, IFC_SAYS_MATERIAL,
 			ifc_material_write, &material, fault);
 	if (!status)

@@ -1,7 +1,7 @@
 /*
  * What a file says about an object, as attributes of its feature: direct
  * attributes, property sets and quantities, its own and those of its type,
- * materials, classifications.
+ * materials, classifications, addresses.
  *
  * A set is an attribute with members. What the object says itself counts; its
  * type adds what it does not. Values keep their spelling, and measures the
@@ -14,6 +14,7 @@
 
 #include "ifc_attribute_names.h"
 #include "ifc_model.h"
+#include "step_string.h"
 
 enum { IFC_MOST_ATTRIBUTES = 20000 }; /* of one feature */
 
@@ -45,6 +46,15 @@ enum tcs_status ifc_attribute_value(struct ifc_saying *saying, uint32_t parent,
 	const char *name, const struct step_value *value, const char *unit,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* Append a string, UTF-8 already. */
+enum tcs_status ifc_attribute_string(struct ifc_saying *saying, uint32_t parent,
+	const char *name, const char *text, size_t length,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Append a set without members; its number in *set. */
+enum tcs_status ifc_attribute_set(struct ifc_saying *saying, uint32_t parent,
+	const char *name, uint32_t *set, struct tcs_fault *fault) TCS_CHECKED;
+
 /*
  * Append a property set or element quantity. Where the feature has a set of
  * the same name, its members are added that are not there yet.
@@ -52,9 +62,34 @@ enum tcs_status ifc_attribute_value(struct ifc_saying *saying, uint32_t parent,
 enum tcs_status ifc_properties_write(struct ifc_saying *saying, uint32_t set,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* ---- ifc_property_reference.c -------------------------------------------- */
+
+/*
+ * Append to a text what an object that a property refers to is called: a
+ * person, an organization, a document, a material, a table, the parts of a
+ * postal address. What has no name is told by its entity. Nothing for
+ * STEP_NONE. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status ifc_reference_text(const struct ifc_file *file, uint32_t object,
+	struct step_text *text, struct tcs_fault *fault) TCS_CHECKED;
+
+/* ---- ifc_whereabouts.c --------------------------------------------------- */
+
+/*
+ * Append where a site or building says it is: a site's latitude and longitude,
+ * in degrees, and address, and a building's address as CityGML has it (2.0
+ * 10.3.4, in xAL 2.0), which readers of CityGML look for.
+ */
+enum tcs_status ifc_whereabouts_write(struct ifc_saying *saying,
+	uint32_t instance, struct tcs_fault *fault) TCS_CHECKED;
+
 /* ---- ifc_materials.c ----------------------------------------------------- */
 
-/* Append the names of a material, or of those of a list, layers and so on. */
+/*
+ * Append the name of a material; of one with parts their names, and for
+ * layers, profiles and constituents a set that has them one by one, under
+ * their numbers from 1, with what is told of each and of the whole.
+ */
 enum tcs_status ifc_material_write(struct ifc_saying *saying, uint32_t material,
 	struct tcs_fault *fault) TCS_CHECKED;
 

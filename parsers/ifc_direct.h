@@ -16,7 +16,7 @@ struct ifc_direct_row {
 extern const struct ifc_direct_row ifc_direct_rows[];
 
 enum {
-	IFC_DIRECT_ROWS = 14,
+	IFC_DIRECT_ROWS = 17,
 	IFC_DIRECT_REACH = 32, /* no position is as far */
 };
 

@@ -1,5 +1,7 @@
+#include <string.h>
+
 #include "ifc_attributes.h"
-#include "ifc_features.h"
+#include "number.h"
 
 enum { NOWHERE = -1 };
 
@@ -20,7 +22,7 @@ static const struct {
 	{IFC_MATERIALCONSTITUENT, NOWHERE, 2},
 };
 
-enum { MOST_STEPS = 4, LAYER_THICKNESS = 1 };
+enum { MOST_STEPS = 4 };
 
 /* A definition with the usages taken off: a material, or one with parts. */
 static uint32_t
@@ -48,44 +50,180 @@ material_below(const struct ifc_file *file, uint32_t instance,
 	return STEP_NONE;
 }
 
-/* A part's material: its name, and the thickness where it is a layer. */
+/* ---- told ---------------------------------------------------------------- */
+
+/* What is told of a definition beside its material. */
+static const struct {
+	enum ifc_entity entity;
+	const char *name;
+	int at;
+	bool is_length;
+} facts[] = {
+	{IFC_MATERIALLAYERSETUSAGE, "Direction", 1, false},
+	{IFC_MATERIALLAYERSETUSAGE, "Sense", 2, false},
+	{IFC_MATERIALLAYERSETUSAGE, "Offset", 3, true},
+	{IFC_MATERIALPROFILESETUSAGE, "CardinalPoint", 1, false},
+	{IFC_MATERIALLAYERSET, "Name", 1, false},
+	{IFC_MATERIALPROFILESET, "Name", 0, false},
+	{IFC_MATERIALCONSTITUENTSET, "Name", 0, false},
+	{IFC_MATERIALLAYER, "Thickness", 1, true},
+	{IFC_MATERIALLAYER, "Ventilated", 2, false},
+	{IFC_MATERIALLAYER, "Name", 3, false},
+	{IFC_MATERIALLAYER, "Category", 5, false},
+	{IFC_MATERIALLAYER, "Priority", 6, false},
+	{IFC_MATERIALPROFILE, "Name", 0, false},
+	{IFC_MATERIALPROFILE, "Priority", 4, false},
+	{IFC_MATERIALPROFILE, "Category", 5, false},
+	{IFC_MATERIALCONSTITUENT, "Name", 0, false},
+	{IFC_MATERIALCONSTITUENT, "Fraction", 3, false},
+	{IFC_MATERIALCONSTITUENT, "Category", 4, false},
+};
+
 static enum tcs_status
-part_write(struct ifc_saying *saying, uint32_t part, struct tcs_fault *fault)
+facts_write(struct ifc_saying *saying, uint32_t set, uint32_t definition,
+	struct tcs_fault *fault)
 {
 	const struct ifc_model *model = saying->model;
-	struct step_value parts, name, thickness;
-	uint32_t material = material_below(&model->file, part, &parts);
-	enum tcs_status status;
+	const char *length =
+		ifc_unit_of_type(&model->project_units, "LENGTHUNIT");
+	enum tcs_status status = TCS_OK;
 
-	if (material == STEP_NONE)
+	for (size_t i = 0; i < sizeof facts / sizeof *facts && !status; i++) {
+		struct step_value value;
+
+		if (!ifc_is_kind(&model->file, definition, facts[i].entity))
+			continue;
+		value = ifc_value(&model->file, definition, facts[i].at);
+		status = ifc_attribute_value(saying, set, facts[i].name, &value,
+			facts[i].is_length ? length : NULL, fault);
+	}
+	return status;
+}
+
+/* Append the name of a part's material to those before it. */
+static enum tcs_status
+name_join(const struct ifc_file *file, uint32_t part, struct step_text *names,
+	struct tcs_fault *fault)
+{
+	struct step_value parts,
+		name = ifc_value(file, material_below(file, part, &parts), 0);
+	enum tcs_status status = TCS_OK;
+	unsigned trouble = 0;
+
+	if (name.kind != STEP_STRING || !name.length)
 		return TCS_OK;
-	name = ifc_value(&model->file, material, 0);
-	status = ifc_attribute_value(
-		saying, TCS_NONE, "Material", &name, NULL, fault);
-	if (status || !ifc_is_kind(&model->file, part, IFC_MATERIALLAYER))
-		return status;
-	thickness = ifc_value(&model->file, part, LAYER_THICKNESS);
-	return ifc_attribute_value(saying, TCS_NONE, "LayerThickness",
-		&thickness,
-		ifc_unit_of_type(&model->project_units, "LENGTHUNIT"), fault);
+	if (names->count)
+		status = step_decode(names, ", ", 2, &trouble, fault);
+	return status
+		? status
+		: step_decode(names, name.text, name.length, &trouble, fault);
+}
+
+/* The names of all materials, as one attribute. */
+static enum tcs_status
+names_write(struct ifc_saying *saying, uint32_t definition,
+	struct step_value parts, struct tcs_fault *fault)
+{
+	const struct ifc_file *file = &saying->model->file;
+	struct step_text names = {.count = 0};
+	enum tcs_status status = TCS_OK;
+	struct step_value part;
+
+	if (parts.kind != STEP_LIST)
+		status = name_join(file, definition, &names, fault);
+	while (!status && parts.kind == STEP_LIST &&
+		step_next(&parts.list, &part) > STEP_END)
+		status = name_join(
+			file, step_target(file->step, &part), &names, fault);
+	if (!status && names.count)
+		status = ifc_attribute_string(saying, TCS_NONE, "Material",
+			names.at, names.count, fault);
+	array_release(&names);
+	return status;
+}
+
+/* One part under its number, from 1. */
+static enum tcs_status
+part_write(struct ifc_saying *saying, uint32_t above, uint32_t part,
+	size_t number, struct tcs_fault *fault)
+{
+	const struct ifc_file *file = &saying->model->file;
+	struct step_value parts,
+		name = ifc_value(file, material_below(file, part, &parts), 0);
+	char text[NUMBER_LENGTH];
+	enum tcs_status status;
+	uint32_t set;
+
+	text[number_print(text, (double)number)] = '\0';
+	status = ifc_attribute_set(saying, above, text, &set, fault);
+	if (!status)
+		status = ifc_attribute_value(
+			saying, set, "Material", &name, NULL, fault);
+	return status ? status : facts_write(saying, set, part, fault);
+}
+
+/* The set of the parts; NULL where their materials are all there is to tell. */
+static const char *
+set_name(const struct ifc_file *file, uint32_t part)
+{
+	if (ifc_is_kind(file, part, IFC_MATERIALLAYER))
+		return "MaterialLayers";
+	if (ifc_is_kind(file, part, IFC_MATERIALPROFILE))
+		return "MaterialProfiles";
+	if (ifc_is_kind(file, part, IFC_MATERIALCONSTITUENT))
+		return "MaterialConstituents";
+	return NULL;
+}
+
+/* What tells of the usage and of the whole, then the parts in their order. */
+static enum tcs_status
+parts_write(struct ifc_saying *saying, uint32_t definition,
+	struct step_value parts, struct tcs_fault *fault)
+{
+	const struct ifc_file *file = &saying->model->file;
+	enum tcs_status status = TCS_OK;
+	uint32_t set = TCS_NONE;
+	struct step_value part;
+
+	for (size_t number = 1; !status && parts.kind == STEP_LIST &&
+		step_next(&parts.list, &part) > STEP_END &&
+		saying->out->attributes.count - saying->first <
+			IFC_MOST_ATTRIBUTES;
+		number++) {
+		uint32_t at = step_target(file->step, &part);
+		const char *name = set_name(file, at);
+
+		if (!name)
+			continue;
+		if (set == TCS_NONE) {
+			status = ifc_attribute_set(
+				saying, TCS_NONE, name, &set, fault);
+			if (!status)
+				status = facts_write(
+					saying, set, definition, fault);
+			if (!status)
+				status = facts_write(saying, set,
+					ifc_target(file, definition, 0), fault);
+		}
+		if (!status)
+			status = part_write(saying, set, at, number, fault);
+	}
+	return status;
 }
 
 enum tcs_status
 ifc_material_write(
 	struct ifc_saying *saying, uint32_t material, struct tcs_fault *fault)
 {
-	const struct ifc_file *file = &saying->model->file;
-	struct step_value parts, part;
-	enum tcs_status status = TCS_OK;
+	struct step_value parts;
+	enum tcs_status status;
 
-	if (material_below(file, material, &parts) != STEP_NONE)
-		return part_write(saying, material, fault);
-	while (!status && parts.kind == STEP_LIST &&
-		step_next(&parts.list, &part) > STEP_END)
-		status = part_write(
-			saying, step_target(file->step, &part), fault);
-	return status;
+	material_below(&saying->model->file, material, &parts);
+	status = names_write(saying, material, parts, fault);
+	return status ? status : parts_write(saying, material, parts, fault);
 }
+
+/* ---- painted ------------------------------------------------------------- */
 
 /* The paint of a material, or of the first part that has one. */
 static uint32_t

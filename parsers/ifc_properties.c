@@ -7,11 +7,13 @@
 
 enum { SET_NAME = 2 };
 
-enum { PROPERTY_NAME = 0, PROPERTY_VALUES = 5, MOST_DEPTH = 4 };
+enum { PROPERTY_NAME = 0, PROPERTY_VALUES = 7, MOST_DEPTH = 4 };
 
 /* Positions, all below PROPERTY_VALUES. */
 enum { SINGLE_VALUE = 2, SINGLE_UNIT = 3 };
-enum { BOUNDED_UPPER = 2, BOUNDED_UNIT = 4 };
+enum { BOUNDED_UPPER = 2, BOUNDED_LOWER, BOUNDED_UNIT, BOUNDED_SET_POINT };
+enum { TABLE_DEFINING = 2, TABLE_DEFINED, TABLE_EXPRESSION, TABLE_UNITS };
+enum { REFERENCE_OBJECT = 3 };
 enum { QUANTITY_UNIT = 2, QUANTITY_VALUE = 3 };
 enum { COMPLEX_QUANTITIES = 2, COMPLEX_PROPERTIES = 3 };
 
@@ -62,10 +64,11 @@ number_fill(const struct step_value *value, const char *unit,
 	return text_plain(out, unit, strlen(unit), &to->unit, fault);
 }
 
-/* The values of a list, as "a, b". */
+/* The values of a list, as "a, b"; strings without characters are none. */
 static enum tcs_status
-list_fill(const struct step_value *list, struct tcs_object *out,
-	struct tcs_attribute *to, struct tcs_fault *fault)
+list_fill(const struct step_value *list, const char *unit,
+	struct tcs_object *out, struct tcs_attribute *to,
+	struct tcs_fault *fault)
 {
 	struct step_text joined = {.count = 0};
 	struct step_cursor walk = list->list;
@@ -76,7 +79,8 @@ list_fill(const struct step_value *list, struct tcs_object *out,
 	while (!status && step_next(&walk, &item) > STEP_END) {
 		struct step_value inner = step_untyped(&item);
 
-		if (inner.kind == STEP_LIST || inner.kind == STEP_UNSET)
+		if (inner.kind == STEP_LIST || inner.kind == STEP_UNSET ||
+			!inner.length)
 			continue;
 		if (joined.count)
 			status = step_decode(&joined, ", ", 2, &trouble, fault);
@@ -87,6 +91,8 @@ list_fill(const struct step_value *list, struct tcs_object *out,
 	if (!status)
 		status = text_plain(
 			out, joined.at, joined.count, &to->value, fault);
+	if (!status)
+		status = text_plain(out, unit, strlen(unit), &to->unit, fault);
 	array_release(&joined);
 	return status;
 }
@@ -99,6 +105,17 @@ unit_of(const struct ifc_saying *saying, const struct step_value *value)
 		return "";
 	return ifc_unit_of_measure(
 		&saying->model->project_units, value->text, value->length);
+}
+
+/* That of the first value of a list. */
+static const char *
+list_unit(const struct ifc_saying *saying, const struct step_value *list)
+{
+	struct step_cursor walk = list->list;
+	struct step_value first;
+
+	return step_next(&walk, &first) > STEP_END ? unit_of(saying, &first)
+						   : "";
 }
 
 /* The type, value, number and unit; *unset where there is no value. */
@@ -122,7 +139,9 @@ value_fill(const struct ifc_saying *saying, const struct step_value *value,
 		return number_fill(&inner, unit ? unit : unit_of(saying, value),
 			saying->out, to, fault);
 	case STEP_LIST:
-		return list_fill(&inner, saying->out, to, fault);
+		return list_fill(&inner,
+			unit ? unit : list_unit(saying, &inner), saying->out,
+			to, fault);
 	default:
 		*unset = true;
 		return TCS_OK;
@@ -158,6 +177,31 @@ ifc_attribute_value(struct ifc_saying *saying, uint32_t parent,
 	return status ? status : attribute_push(saying, attribute, fault);
 }
 
+static enum tcs_status
+string_push(struct ifc_saying *saying, uint32_t parent, tcs_text name,
+	const char *text, size_t length, struct tcs_fault *fault)
+{
+	struct tcs_attribute attribute = {
+		.parent = parent, .name = name, .number = NAN};
+	enum tcs_status status =
+		text_plain(saying->out, text, length, &attribute.value, fault);
+
+	return status ? status : attribute_push(saying, attribute, fault);
+}
+
+enum tcs_status
+ifc_attribute_string(struct ifc_saying *saying, uint32_t parent,
+	const char *name, const char *text, size_t length,
+	struct tcs_fault *fault)
+{
+	tcs_text named = 0;
+	enum tcs_status status =
+		text_plain(saying->out, name, strlen(name), &named, fault);
+
+	return status ? status
+		      : string_push(saying, parent, named, text, length, fault);
+}
+
 /* Append a set without members; its number in *set. */
 static enum tcs_status
 attribute_set(struct ifc_saying *saying, uint32_t parent, tcs_text name,
@@ -170,6 +214,18 @@ attribute_set(struct ifc_saying *saying, uint32_t parent, tcs_text name,
 			.name = name,
 			.type = TCS_SET},
 		fault);
+}
+
+enum tcs_status
+ifc_attribute_set(struct ifc_saying *saying, uint32_t parent, const char *name,
+	uint32_t *set, struct tcs_fault *fault)
+{
+	tcs_text text = 0;
+	enum tcs_status status =
+		text_plain(saying->out, name, strlen(name), &text, fault);
+
+	return status ? status
+		      : attribute_set(saying, parent, text, set, fault);
 }
 
 /* ---- properties ---------------------------------------------------------- */
@@ -242,16 +298,58 @@ static enum tcs_status
 bounds_write(struct ifc_saying *saying, uint32_t parent,
 	const struct step_value *values, tcs_text name, struct tcs_fault *fault)
 {
-	static const char *const names[] = {"Upper", "Lower"};
+	static const struct {
+		const char *name;
+		int at;
+	} bounds[] = {{"Upper", BOUNDED_UPPER}, {"Lower", BOUNDED_LOWER},
+		{"SetPoint", BOUNDED_SET_POINT}};
 	char room[IFC_UNIT_ROOM];
 	const char *unit = unit_named(saying, values + BOUNDED_UNIT, room);
 	uint32_t set;
 	enum tcs_status status =
 		attribute_set(saying, parent, name, &set, fault);
 
+	for (size_t i = 0; i < sizeof bounds / sizeof *bounds && !status; i++)
+		status = ifc_attribute_value(saying, set, bounds[i].name,
+			values + bounds[i].at, unit, fault);
+	return status;
+}
+
+/* The values that define, those defined, in the same order, and the formula. */
+static enum tcs_status
+table_write(struct ifc_saying *saying, uint32_t parent,
+	const struct step_value *values, tcs_text name, struct tcs_fault *fault)
+{
+	static const char *const names[] = {"Defining", "Defined"};
+	char room[IFC_UNIT_ROOM];
+	uint32_t set;
+	enum tcs_status status;
+
+	if (values[TABLE_DEFINED].kind != STEP_LIST)
+		return TCS_OK;
+	status = attribute_set(saying, parent, name, &set, fault);
 	for (int i = 0; i < 2 && !status; i++)
 		status = ifc_attribute_value(saying, set, names[i],
-			values + BOUNDED_UPPER + i, unit, fault);
+			values + TABLE_DEFINING + i,
+			unit_named(saying, values + TABLE_UNITS + i, room),
+			fault);
+	return status ? status
+		      : ifc_attribute_value(saying, set, "Expression",
+				values + TABLE_EXPRESSION, "", fault);
+}
+
+static enum tcs_status
+reference_write(struct ifc_saying *saying, uint32_t parent, uint32_t object,
+	tcs_text name, struct tcs_fault *fault)
+{
+	struct step_text text = {.count = 0};
+	enum tcs_status status =
+		ifc_reference_text(&saying->model->file, object, &text, fault);
+
+	if (!status && text.count)
+		status = string_push(
+			saying, parent, name, text.at, text.count, fault);
+	array_release(&text);
 	return status;
 }
 
@@ -296,6 +394,12 @@ property_write(struct ifc_saying *saying, uint32_t parent, uint32_t property,
 			NULL, fault);
 	case IFC_PROPERTYBOUNDEDVALUE:
 		return bounds_write(saying, parent, values, name, fault);
+	case IFC_PROPERTYTABLEVALUE:
+		return table_write(saying, parent, values, name, fault);
+	case IFC_PROPERTYREFERENCEVALUE:
+		return reference_write(saying, parent,
+			step_target(file->step, values + REFERENCE_OBJECT),
+			name, fault);
 	case IFC_COMPLEXPROPERTY:
 	case IFC_PHYSICALCOMPLEXQUANTITY:
 		if (depth == MOST_DEPTH)

@@ -158,6 +158,10 @@
 	X(APPLICATION, NONE, "245", \
 		"ApplicationDeveloper Version ApplicationFullName " \
 		"ApplicationIdentifier") \
+	X(PERSON, NONE, "245", "Identification FamilyName GivenName") \
+	X(ORGANIZATION, NONE, "245", "Identification Name Description") \
+	X(PERSONANDORGANIZATION, NONE, "245", \
+		"ThePerson TheOrganization Roles") \
 	X(ADDRESS, NONE, "245", "Purpose Description UserDefinedPurpose") \
 	X(POSTALADDRESS, ADDRESS, "245", \
 		"InternalLocation AddressLines PostalBox Town Region " \
