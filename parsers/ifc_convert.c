@@ -310,8 +310,8 @@ run(struct convert *convert, struct input *input, struct tcs_fault *fault)
 			convert->command->jobs, convert->report, fault);
 	if (status)
 		return status;
-	ifc_georeference_read(&convert->model.file, &convert->model.units,
-		convert->options->local, &convert->place);
+	ifc_georeference_read(
+		&convert->model, convert->options->local, &convert->place);
 	status = head_write(convert, fault);
 	if (!status)
 		status = prototypes_write(convert, fault);

@@ -50,14 +50,39 @@ map_unit(const struct ifc_file *file, uint32_t crs)
 		: 0;
 }
 
+/* A rigid operation neither turns nor scales. */
+static void
+operation_read(const struct ifc_file *file, uint32_t operation,
+	struct ifc_map_operation *out)
+{
+	uint32_t crs = ifc_target(file, operation, TARGET_CRS);
+
+	*out = (struct ifc_map_operation){
+		.eastings = number_or(file, operation, EASTINGS, 0),
+		.northings = number_or(file, operation, NORTHINGS, 0),
+		.height = number_or(file, operation, HEIGHT, 0),
+		.abscissa = 1,
+		.factors = {1, 1, 1},
+		.unit = map_unit(file, crs),
+		.system = ifc_value(file, crs, 0)};
+	if (!ifc_is_kind(file, operation, IFC_MAPCONVERSION))
+		return;
+	out->abscissa = number_or(file, operation, ABSCISSA, 1);
+	out->ordinate = number_or(file, operation, ORDINATE, 0);
+	out->scale = number_or(file, operation, SCALE, 0);
+	for (int i = 0; i < 3; i++)
+		if (ifc_entity_of(file, operation) == IFC_MAPCONVERSIONSCALED)
+			out->factors[i] =
+				number_or(file, operation, FACTOR_X + i, 1);
+}
+
 /* The rows of the matrix, in the units of the operation. */
 static void
-operation_matrix(const struct ifc_file *file, uint32_t operation,
-	double otherwise, struct ifc_matrix *out)
+operation_matrix(const struct ifc_map_operation *operation, double otherwise,
+	struct ifc_matrix *out)
 {
-	double x = number_or(file, operation, ABSCISSA, 1);
-	double y = number_or(file, operation, ORDINATE, 0);
-	double scale = number_or(file, operation, SCALE, otherwise);
+	double x = operation->abscissa, y = operation->ordinate;
+	double scale = operation->scale > 0 ? operation->scale : otherwise;
 	double length = hypot(x, y);
 	double factors[3];
 
@@ -65,54 +90,42 @@ operation_matrix(const struct ifc_file *file, uint32_t operation,
 		x = length = 1;
 		y = 0;
 	}
-	if (!(scale > 0))
-		scale = otherwise;
 	x /= length;
 	y /= length;
 	for (int i = 0; i < 3; i++)
-		factors[i] = scale *
-			(ifc_entity_of(file, operation) ==
-						IFC_MAPCONVERSIONSCALED
-					? number_or(file, operation,
-						  FACTOR_X + i, 1)
-					: 1);
-	*out = (struct ifc_matrix){{x * factors[0], -y * factors[1], 0,
-		number_or(file, operation, EASTINGS, 0), y * factors[0],
-		x * factors[1], 0, number_or(file, operation, NORTHINGS, 0), 0,
-		0, factors[2], number_or(file, operation, HEIGHT, 0), 0, 0, 0,
-		1}};
+		factors[i] = scale * operation->factors[i];
+	*out = (struct ifc_matrix){
+		{x * factors[0], -y * factors[1], 0, operation->eastings,
+			y * factors[0], x * factors[1], 0, operation->northings,
+			0, 0, factors[2], operation->height, 0, 0, 0, 1}};
 }
 
 void
-ifc_georeference_read(const struct ifc_file *file,
-	const struct ifc_units *units, bool local, struct ifc_georeference *out)
+ifc_georeference_read(
+	const struct ifc_model *model, bool local, struct ifc_georeference *out)
 {
-	uint32_t operation = operation_find(file);
-	double unit, by;
+	uint32_t entity = operation_find(&model->file);
+	double length = model->units.length, by;
+	struct ifc_map_operation operation;
 
-	*out = (struct ifc_georeference){ifc_identity, 1, STEP_NONE};
+	*out = (struct ifc_georeference){
+		.world = ifc_identity, .metres_per_unit = 1, .is_local = true};
 	for (int i = 0; i < 3; i++)
-		out->world.at[5 * i] = units->length;
-	if (local || operation == STEP_NONE)
+		out->world.at[5 * i] = length;
+	if (local)
 		return;
-	out->crs = ifc_target(file, operation, TARGET_CRS);
-	unit = map_unit(file, out->crs);
-	if (unit > 0)
-		out->metres_per_unit = unit;
+	if (entity != STEP_NONE)
+		operation_read(&model->file, entity, &operation);
+	else if (!ifc_map_properties_read(model, &operation))
+		return;
+	out->is_local = false;
+	out->system = operation.system;
+	if (operation.unit > 0)
+		out->metres_per_unit = operation.unit;
 	/* Without a unit of the map, the operation is in the project's. */
-	by = unit > 0 ? 1 : units->length;
-	if (ifc_is_kind(file, operation, IFC_MAPCONVERSION)) {
-		operation_matrix(file, operation,
-			unit > 0 ? units->length / unit : 1, &out->world);
-	} else {
-		out->world = ifc_identity;
-		for (int i = 0; i < 3; i++)
-			out->world.at[5 * i] =
-				unit > 0 ? units->length / unit : 1;
-		out->world.at[3] = number_or(file, operation, EASTINGS, 0);
-		out->world.at[7] = number_or(file, operation, NORTHINGS, 0);
-		out->world.at[11] = number_or(file, operation, HEIGHT, 0);
-	}
+	by = operation.unit > 0 ? 1 : length;
+	operation_matrix(&operation,
+		operation.unit > 0 ? length / operation.unit : 1, &out->world);
 	for (int i = 0; i < 12; i++)
 		out->world.at[i] *= by;
 }

@@ -15,18 +15,17 @@ head_append(struct tcs_head *head, const char *text, tcs_text *out,
 
 /* The name of the system; the stream's coordinates are easting first. */
 static enum tcs_status
-crs_name(struct tcs_head *head, const struct ifc_file *file, uint32_t system,
+crs_name(struct tcs_head *head, const struct step_value *system,
 	struct tcs_crs *crs, struct tcs_fault *fault)
 {
-	struct step_value value = ifc_value(file, system, 0);
 	struct step_text name = {.count = 0};
 	enum tcs_status status = TCS_OK;
 	struct srs srs;
 	unsigned trouble = 0;
 
-	if (value.kind == STEP_STRING)
+	if (system->kind == STEP_STRING)
 		status = step_decode(
-			&name, value.text, value.length, &trouble, fault);
+			&name, system->text, system->length, &trouble, fault);
 	if (!status && name.count) {
 		srs_read(name.at, &srs);
 		crs->epsg = srs.epsg;
@@ -70,9 +69,9 @@ crs_build(struct tcs_head *head, const struct ifc_model *model,
 		.kind = TCS_CRS_LOCAL};
 	enum tcs_status status = TCS_OK;
 
-	if (place->crs != STEP_NONE) {
+	if (!place->is_local) {
 		crs.kind = TCS_CRS_PROJECTED;
-		status = crs_name(head, &model->file, place->crs, &crs, fault);
+		status = crs_name(head, &place->system, &crs, fault);
 	}
 	crs_origin(model, place, &crs);
 	if (!status && array_grow(&head->crs, 1))

@@ -120,7 +120,7 @@ objects_check(const char *bytes, size_t size)
 
 	if (!ifc_model_read(&model, bytes, size, &(struct ifc_keep){0}, 1,
 		    &report, &fault)) {
-		ifc_georeference_read(&model.file, &model.units, false, &place);
+		ifc_georeference_read(&model, false, &place);
 		if (ifc_worker_begin(
 			    &worker, &model, &place.world, DEFLECTION, &fault))
 			abort();
