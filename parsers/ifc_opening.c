@@ -20,12 +20,14 @@ ifc_openings_list(const struct ifc_tree *tree, struct ifc_openings *out,
 	struct tcs_fault *fault)
 {
 	for (uint32_t i = 0; i < tree->count; i++) {
-		if (tree->at[i].link != IFC_LINK_VOID)
+		enum ifc_link link = tree->at[i].link;
+
+		if (link != IFC_LINK_VOID && link != IFC_LINK_ADDITION)
 			continue;
 		if (array_grow(out, 1))
 			return fault_memory(fault);
-		out->at[out->count++] =
-			(struct ifc_opening){tree->at[i].parent, i};
+		out->at[out->count++] = (struct ifc_opening){
+			tree->at[i].parent, i, link == IFC_LINK_ADDITION};
 	}
 	if (out->count)
 		qsort(out->at, out->count, sizeof *out->at, opening_order);
@@ -200,6 +202,126 @@ ifc_body_open(struct ifc_shaper *shaper, uint32_t product,
 			shaper, product, tools, body, part, end, &out);
 		part = end;
 	}
+	if (outcome) {
+		ifc_body_release(&out);
+		return outcome;
+	}
+	ifc_body_release(body);
+	*body = out;
+	return IFC_SHAPED;
+}
+
+/* ---- joining ------------------------------------------------------------- */
+
+/* The first solid of a body that a box touches, or how many parts there are. */
+static size_t
+part_touched(const struct ifc_shaper *shaper, const struct ifc_body *body,
+	struct box box)
+{
+	double reach = SOLID_TOLERANCE / shaper->unit;
+	size_t part = 0;
+
+	box.lower = (struct tcs_point){
+		box.lower.x - reach, box.lower.y - reach, box.lower.z - reach};
+	box.upper = (struct tcs_point){
+		box.upper.x + reach, box.upper.y + reach, box.upper.z + reach};
+	while (part < body->parts.count) {
+		size_t end = solid_end(body, part);
+		struct box own =
+			faces_box(&body->faces, body->parts.at[part].first_face,
+				parts_faces_end(body, end));
+
+		if (body->parts.at[part].kind == IFC_PART_SOLID &&
+			boxes_meet(&own, &box))
+			return part;
+		part = end;
+	}
+	return part;
+}
+
+/*
+ * The tools whose part this is: as tools of the cut, or where there is none
+ * copied to `out`.
+ */
+static enum ifc_outcome
+tools_choose(struct ifc_shaper *shaper, const struct ifc_body *tools,
+	const struct ifc_body *body, size_t part, struct ifc_cut *cut,
+	struct ifc_body *out)
+{
+	enum ifc_outcome outcome = IFC_SHAPED;
+
+	for (size_t i = 0, end; i < tools->parts.count && !outcome; i = end) {
+		size_t first = tools->parts.at[i].first_face, last;
+		struct solid *tool;
+
+		end = solid_end(tools, i);
+		last = parts_faces_end(tools, end);
+		if (part_touched(shaper, body,
+			    faces_box(&tools->faces, first, last)) != part)
+			continue;
+		if (!cut) {
+			outcome = parts_copy(shaper, tools, i, end, out);
+			continue;
+		}
+		tool = ifc_cut_tool(cut);
+		outcome = tool ? ifc_solid_add(tool, &tools->faces, first, last)
+			       : IFC_NO_MEMORY;
+	}
+	return outcome;
+}
+
+/* One solid and its tools; beside each other where they cannot be joined. */
+static enum ifc_outcome
+part_join(struct ifc_shaper *shaper, uint32_t product,
+	const struct ifc_body *tools, const struct ifc_body *from, size_t part,
+	size_t end, struct ifc_body *out)
+{
+	struct ifc_cut cut = {.operation = SOLID_UNION};
+	size_t remarks = shaper->scratch->remarks.count;
+	enum ifc_outcome outcome =
+		tools_choose(shaper, tools, from, part, &cut, NULL);
+	bool open, joined = cut.tools.count > 0;
+
+	if (!outcome && joined)
+		outcome = ifc_solid_add(&cut.host, &from->faces,
+			from->parts.at[part].first_face,
+			parts_faces_end(from, end));
+	if (!outcome && joined)
+		outcome = ifc_cut_run(shaper, product, &cut, &open);
+	if (!outcome && joined && remarks == shaper->scratch->remarks.count) {
+		outcome = ifc_part_begin(out,
+			open ? IFC_PART_SURFACE : from->parts.at[part].kind,
+			from->parts.at[part].item);
+		if (!outcome)
+			outcome =
+				ifc_solid_faces(shaper, &cut.host, &out->faces);
+	} else if (!outcome) {
+		outcome = parts_copy(shaper, from, part, end, out);
+		if (!outcome)
+			outcome = tools_choose(
+				shaper, tools, from, part, NULL, out);
+	}
+	ifc_cut_release(&cut);
+	return outcome;
+}
+
+enum ifc_outcome
+ifc_body_join(struct ifc_shaper *shaper, uint32_t product,
+	const struct ifc_body *tools, struct ifc_body *body)
+{
+	struct ifc_body out = {.faces = {.points = {.count = 0}}};
+	enum ifc_outcome outcome = IFC_SHAPED;
+
+	for (size_t part = 0; part < body->parts.count && !outcome;) {
+		size_t end = solid_end(body, part);
+
+		outcome = part_join(
+			shaper, product, tools, body, part, end, &out);
+		part = end;
+	}
+	if (!outcome)
+		outcome = tools_choose(
+			shaper, tools, body, body->parts.count, NULL, &out);
 	if (outcome) {
 		ifc_body_release(&out);
 		return outcome;

@@ -1,7 +1,9 @@
 /*
- * Openings: which ones a product has, and cutting them out of its body.
+ * Openings and projections: which ones a product has, cutting the ones out of
+ * its body and joining the others to it.
  *
- * source: IfcRelVoidsElement, IfcOpeningElement (ISO 16739-1 5.4, 6.1).
+ * source: IfcRelVoidsElement, IfcOpeningElement, IfcRelProjectsElement,
+ * IfcProjectionElement (ISO 16739-1 5.4, 6.1).
  */
 #ifndef TESSERA_IFC_OPENING_H
 #define TESSERA_IFC_OPENING_H
@@ -9,11 +11,13 @@
 #include "ifc_cut.h"
 #include "ifc_tree.h"
 
-/* Every opening under its host, both nodes of the tree; sorted by host. */
+/* One under its host, both nodes of the tree. */
 struct ifc_opening {
 	uint32_t host, opening;
+	bool is_addition; /* a projection */
 };
 
+/* Sorted by host. */
 TCS_ARRAY_TYPE(ifc_openings, struct ifc_opening);
 
 /* Fails with TCS_NO_MEMORY. */
@@ -30,6 +34,14 @@ const struct ifc_opening *ifc_openings_find(
  * could not be cut, which stays whole.
  */
 enum ifc_outcome ifc_body_open(struct ifc_shaper *shaper, uint32_t product,
+	const struct ifc_body *tools, struct ifc_body *body) TCS_CHECKED;
+
+/*
+ * Join the parts of `tools` to `body`, each solid to the first of the body that
+ * it touches. One that touches none, or cannot be joined, which is remarked
+ * about `product`, becomes a part by itself.
+ */
+enum ifc_outcome ifc_body_join(struct ifc_shaper *shaper, uint32_t product,
 	const struct ifc_body *tools, struct ifc_body *body) TCS_CHECKED;
 
 #endif

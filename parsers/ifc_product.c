@@ -143,14 +143,15 @@ placement_back(const struct ifc_matrix *world)
 	return back;
 }
 
-/* The body of one opening, in the host's coordinates, behind the tools. */
+/* The body of an opening or projection, in the host's coordinates, behind the
+ * tools. */
 static enum tcs_status
-opening_shape(struct ifc_worker *worker, uint32_t opening,
+tool_shape(struct ifc_worker *worker, const struct ifc_opening *of,
 	const struct ifc_matrix *back, const char *id, struct report *report,
 	struct tcs_fault *fault)
 {
 	const struct ifc_model *model = worker->model;
-	uint32_t product = model->tree.at[opening].instance;
+	uint32_t product = model->tree.at[of->opening].instance;
 	uint32_t body = ifc_body_of(&model->file, product);
 	size_t first = worker->tools.faces.faces.count;
 	struct ifc_matrix world;
@@ -159,7 +160,8 @@ opening_shape(struct ifc_worker *worker, uint32_t opening,
 	if (body == STEP_NONE)
 		return TCS_OK;
 	if (!product_world(model, product, &world))
-		return report_item(report, REPORT_SKIPPED, "opening",
+		return report_item(report, REPORT_SKIPPED,
+			of->is_addition ? "projection" : "opening",
 			"where it stands is not known", id, TCS_NOWHERE, fault);
 	status = items_shape(worker, body, id, &worker->tools, report, fault);
 	world = ifc_multiply(back, &world);
@@ -169,10 +171,10 @@ opening_shape(struct ifc_worker *worker, uint32_t opening,
 
 /*
  * The openings of a node, and those of what it is a part of where that has no
- * body of its own to cut.
+ * body of its own to cut; or the projections of a node.
  */
 static enum tcs_status
-openings_shape(struct ifc_worker *worker, uint32_t node,
+tools_shape(struct ifc_worker *worker, uint32_t node, bool additions,
 	const struct ifc_matrix *world, const char *id, struct report *report,
 	struct tcs_fault *fault)
 {
@@ -188,9 +190,10 @@ openings_shape(struct ifc_worker *worker, uint32_t node,
 
 		found = ifc_openings_find(&model->openings, node, &count);
 		for (size_t i = 0; i < count && !status; i++)
-			status = opening_shape(worker, found[i].opening, &back,
-				id, report, fault);
-		if (status || at->link != IFC_LINK_PART)
+			if (found[i].is_addition == additions)
+				status = tool_shape(worker, found + i, &back,
+					id, report, fault);
+		if (status || additions || at->link != IFC_LINK_PART)
 			return status;
 		node = at->parent;
 		if (ifc_body_of(&model->file, model->tree.at[node].instance) !=
@@ -199,15 +202,17 @@ openings_shape(struct ifc_worker *worker, uint32_t node,
 	}
 }
 
-/* Cut the openings; a body that cannot be cut stays whole. */
+typedef enum ifc_outcome tool_user(struct ifc_shaper *shaper, uint32_t product,
+	const struct ifc_body *tools, struct ifc_body *body);
+
+/* Cut or join the tools; a body where that cannot be done stays whole. */
 static enum tcs_status
-body_open(struct ifc_worker *worker, uint32_t product, const char *id,
-	struct report *report, struct tcs_fault *fault)
+tools_use(struct ifc_worker *worker, tool_user *use, uint32_t product,
+	const char *id, struct report *report, struct tcs_fault *fault)
 {
 	if (!worker->tools.parts.count)
 		return TCS_OK;
-	switch (ifc_body_open(
-		&worker->shaper, product, &worker->tools, &worker->body)) {
+	switch (use(&worker->shaper, product, &worker->tools, &worker->body)) {
 	case IFC_SHAPED:
 		return TCS_OK;
 	case IFC_REFUSED:
@@ -216,6 +221,17 @@ body_open(struct ifc_worker *worker, uint32_t product, const char *id,
 	default:
 		return fault_memory(fault);
 	}
+}
+
+/* Whether a product is a projection that its host has joined to itself. */
+static bool
+is_joined(const struct ifc_model *model, uint32_t node)
+{
+	const struct ifc_node *at = model->tree.at + node;
+
+	return at->link == IFC_LINK_ADDITION &&
+		ifc_body_of(&model->file,
+			model->tree.at[at->parent].instance) != STEP_NONE;
 }
 
 /* ---- prototypes ---------------------------------------------------------- */
@@ -340,11 +356,19 @@ body_shape(struct ifc_worker *worker, uint32_t node, uint32_t representation,
 	worker->shaper.points = 0;
 	status = items_shape(
 		worker, representation, id, &worker->body, report, fault);
+	if (!status)
+		status = tools_shape(
+			worker, node, true, world, id, report, fault);
+	if (!status)
+		status = tools_use(
+			worker, ifc_body_join, product, id, report, fault);
 	body_paint(worker, ifc_material_paint(worker->model, product));
 	if (!status)
-		status = openings_shape(worker, node, world, id, report, fault);
+		status = tools_shape(
+			worker, node, false, world, id, report, fault);
 	if (!status)
-		status = body_open(worker, product, id, report, fault);
+		status = tools_use(
+			worker, ifc_body_open, product, id, report, fault);
 	return status ? status : remarks_report(worker, id, report, fault);
 }
 
@@ -360,7 +384,7 @@ ifc_product_shape(struct ifc_worker *worker, uint32_t node, uint32_t feature,
 	enum tcs_status status;
 	bool done;
 
-	if (!ifc_is_shown(file, product))
+	if (!ifc_is_shown(file, product) || is_joined(worker->model, node))
 		return TCS_OK;
 	ifc_global_id(file, product, id);
 	if (representation == STEP_NONE)

@@ -37,8 +37,10 @@ enum tcs_status ifc_prototype_shape(struct ifc_worker *worker,
 
 /*
  * Append the geometries of a node's product to `out`, as those of `feature`,
- * or its instances where it is nothing but prototypes. Items that cannot be evaluated are left out, each reported by its kind and
- * with the product's id. Fails with TCS_NO_MEMORY or TCS_LIMIT.
+ * or its instances where it is nothing but prototypes. Its projections are
+ * joined to it, and have no geometry of their own. Items that cannot be
+ * evaluated are left out, each reported by its kind and with the product's id.
+ * Fails with TCS_NO_MEMORY or TCS_LIMIT.
  */
 enum tcs_status ifc_product_shape(struct ifc_worker *worker, uint32_t node,
 	uint32_t feature, struct tcs_object *out, struct report *report,
