@@ -8,18 +8,17 @@
 #include "citygml_reader.h"
 #include "mesh_file.h"
 #include "number.h"
+#include "utf8.h"
 
 /* ---- faces as polygons ------------------------------------------------------- */
 
 static enum tcs_status
-position_add(struct raw_object *raw, const struct tcs_point *point,
+numbers_add(struct raw_object *raw, const double *numbers, int count,
 	struct tcs_fault *fault)
 {
-	const double numbers[3] = {point->x, point->y, point->z};
-
-	if (array_grow(&raw->positions, 3 * (NUMBER_LENGTH + 1)))
+	if (array_grow(&raw->positions, (size_t)count * (NUMBER_LENGTH + 1)))
 		return fault_memory(fault);
-	for (int i = 0; i < 3; i++) {
+	for (int i = 0; i < count; i++) {
 		raw->positions.count += number_print(
 			raw->positions.at + raw->positions.count, numbers[i]);
 		raw->positions.at[raw->positions.count++] = ' ';
@@ -44,10 +43,13 @@ ring_add(struct raw_object *raw, const struct mesh_file *mesh,
 		.has_list = true,
 		.dimension = 3,
 	};
-	for (uint32_t i = 0; !status && i <= face->corner_count; i++)
-		status = position_add(raw,
-			&mesh->points.at[corners[i % face->corner_count]],
-			fault);
+	for (uint32_t i = 0; !status && i <= face->corner_count; i++) {
+		const struct tcs_point *at =
+			&mesh->points.at[corners[i % face->corner_count]];
+
+		status = numbers_add(
+			raw, (const double[]){at->x, at->y, at->z}, 3, fault);
+	}
 	ring->length = raw->positions.count - ring->first;
 	return status;
 }
@@ -74,26 +76,131 @@ face_add(struct gml_reader *reader, const struct mesh_file *mesh,
 
 /* ---- materials --------------------------------------------------------------- */
 
-/* The faces of one material, as a target of that: its id cannot be one of the
- * document's, which have no control characters. */
-static enum tcs_status
-material_use(struct gml_reader *reader, const struct mesh_file *mesh,
-	uint32_t material, uint32_t first_member, struct tcs_fault *fault)
+/* Text as the file has it may not be UTF-8: then it is none. */
+static size_t
+name_length(const char *name)
 {
-	const struct mesh_material *from = &mesh->materials.at[material];
-	struct raw_object *raw = reader->raw;
-	struct raw_paint paint = {.image = TCS_NONE};
+	size_t length = strlen(name);
+
+	return utf8_valid(name, length) ? length : 0;
+}
+
+static enum tcs_status
+material_take(struct gml_reader *reader, const struct mesh_file *mesh,
+	const struct mesh_material *from, uint32_t *out,
+	struct tcs_fault *fault)
+{
 	const char *name = mesh->names.at + from->name;
-	enum tcs_status status;
-	char id[32];
+	enum tcs_status status =
+		text_keep(&reader->source, name, name_length(name), fault);
 
 	reader->material = material_plain();
 	memcpy(reader->material.diffuse, from->diffuse, sizeof from->diffuse);
 	reader->material.transparency = from->transparency;
-	snprintf(id, sizeof id, "\1%zu", raw->targets.count);
-	status = text_keep(&reader->source, name, strlen(name), fault);
+	return status ? status : material_add(reader, out, fault);
+}
+
+static enum tcs_status
+name_take(struct gml_reader *reader, const char *name, tcs_text *out,
+	struct tcs_fault *fault)
+{
+	return text_append(
+		&reader->raw->palette, name, name_length(name), out, fault);
+}
+
+/* All images of the mesh, in the object's palette. */
+static enum tcs_status
+images_take(struct gml_reader *reader, const struct mesh_file *mesh,
+	struct tcs_fault *fault)
+{
+	struct tcs_palette *palette = &reader->raw->palette;
+	size_t bytes = mesh->bytes.count;
+	enum tcs_status status = TCS_OK;
+
+	if (array_grow(&palette->images, mesh->images.count) ||
+		array_grow(&palette->bytes, bytes))
+		return fault_memory(fault);
+	for (size_t i = 0; !status && i < mesh->images.count; i++) {
+		const struct mesh_image *from = &mesh->images.at[i];
+		struct tcs_image image = {
+			.wrap = from->wrap,
+			.first_byte = palette->bytes.count + from->first_byte,
+			.byte_count = from->byte_count,
+		};
+
+		status = name_take(
+			reader, mesh->names.at + from->uri, &image.uri, fault);
+		if (!status)
+			status = name_take(reader, mesh->names.at + from->mime,
+				&image.mime, fault);
+		palette->images.at[palette->images.count++] = image;
+	}
+	if (bytes)
+		memcpy(palette->bytes.at + palette->bytes.count, mesh->bytes.at,
+			bytes);
+	palette->bytes.count += bytes;
+	return status;
+}
+
+/* ---- paints ------------------------------------------------------------------ */
+
+static enum tcs_status
+texcoords_add(struct raw_object *raw, const struct mesh_file *mesh,
+	const struct mesh_face *face, struct tcs_fault *fault)
+{
+	const struct tcs_texcoord *at = mesh->texcoords.at + face->first_corner;
+	struct raw_texring ring = {.first = raw->positions.count};
+	enum tcs_status status = TCS_OK;
+
+	for (uint32_t i = 0; !status && i < face->corner_count; i++)
+		status = numbers_add(
+			raw, (const double[]){at[i].s, at[i].t}, 2, fault);
+	ring.length = raw->positions.count - ring.first;
+	if (!status && array_grow(&raw->texrings, 1))
+		return fault_memory(fault);
 	if (!status)
-		status = material_add(reader, &paint.material, fault);
+		raw->texrings.at[raw->texrings.count++] = ring;
+	return status;
+}
+
+/* What a run of faces has on it. */
+static enum tcs_status
+paint_find(struct gml_reader *reader, const struct mesh_file *mesh,
+	const struct mesh_face *face, const struct mesh_face *end,
+	uint32_t first_image, struct raw_paint *paint, struct tcs_fault *fault)
+{
+	const struct mesh_material *from = &mesh->materials.at[face->material];
+	struct raw_object *raw = reader->raw;
+	enum tcs_status status =
+		material_take(reader, mesh, from, &paint->material, fault);
+
+	if (status || !face->textured)
+		return status;
+	paint->image = PALETTE_OWN | (first_image + from->image);
+	paint->mapping = MAPPING_ORDER;
+	paint->first_ring = (uint32_t)raw->texrings.count;
+	paint->ring_count = (uint32_t)(end - face);
+	paint->first_polygon =
+		(uint32_t)raw->polygons.count - paint->ring_count;
+	for (; !status && face < end; face++)
+		status = texcoords_add(raw, mesh, face, fault);
+	return status;
+}
+
+/* The last members, which are these faces, as a target of what is on them: its
+ * id cannot be one of the document's, which have no control characters. */
+static enum tcs_status
+paint_use(struct gml_reader *reader, const struct mesh_file *mesh,
+	const struct mesh_face *face, const struct mesh_face *end,
+	uint32_t first_image, struct tcs_fault *fault)
+{
+	struct raw_object *raw = reader->raw;
+	struct raw_paint paint = {.image = TCS_NONE};
+	enum tcs_status status =
+		paint_find(reader, mesh, face, end, first_image, &paint, fault);
+	char id[32];
+
+	snprintf(id, sizeof id, "\1%zu", raw->targets.count);
 	if (!status)
 		status = gml_text(reader, id, strlen(id), &paint.target, fault);
 	if (status)
@@ -103,7 +210,8 @@ material_use(struct gml_reader *reader, const struct mesh_file *mesh,
 	raw->paints.at[raw->paints.count++] = paint;
 	raw->targets.at[raw->targets.count++] = (struct raw_target){
 		.id = paint.target,
-		.first_member = first_member,
+		.first_member =
+			(uint32_t)(raw->members.count - (size_t)(end - face)),
 		.member_end = (uint32_t)raw->members.count,
 	};
 	return TCS_OK;
@@ -111,24 +219,27 @@ material_use(struct gml_reader *reader, const struct mesh_file *mesh,
 
 /* ---- the template ------------------------------------------------------------ */
 
+/* In runs of one look. */
 static enum tcs_status
 faces_add(struct gml_reader *reader, const struct mesh_file *mesh,
 	struct tcs_fault *fault)
 {
 	const struct mesh_face *face = mesh->faces.at;
 	const struct mesh_face *end = face + mesh->faces.count;
-	enum tcs_status status = TCS_OK;
+	uint32_t first_image = (uint32_t)reader->raw->palette.images.count;
+	enum tcs_status status = images_take(reader, mesh, fault);
 
 	while (!status && face < end) {
-		uint32_t first = (uint32_t)reader->raw->members.count;
-		uint32_t material = face->material;
+		const struct mesh_face *run = face;
 
-		for (; !status && face < end && face->material == material;
+		for (; !status && face < end &&
+			face->material == run->material &&
+			face->textured == run->textured;
 			face++)
 			status = face_add(reader, mesh, face, fault);
-		if (!status && material != TCS_NONE)
-			status = material_use(
-				reader, mesh, material, first, fault);
+		if (!status && run->material != TCS_NONE)
+			status = paint_use(
+				reader, mesh, run, face, first_image, fault);
 	}
 	return status;
 }

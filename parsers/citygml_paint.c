@@ -222,6 +222,11 @@ texcoords_find(struct builder *builder, const struct raw_object *raw,
 			raw->polygons.at[raw_polygon].swap, out);
 	if (paint->mapping == MAPPING_LIST)
 		problem = texcoords_of_list(builder, raw, paint, out);
+	if (paint->mapping == MAPPING_ORDER)
+		problem = texring_read(builder, raw,
+			&raw->texrings.at[paint->first_ring + raw_polygon -
+				paint->first_polygon],
+			builder->ring_sizes.at[0], out);
 	if (!problem)
 		texcoords_extend(builder, given, out);
 	return problem;

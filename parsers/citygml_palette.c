@@ -101,8 +101,15 @@ image_copy(struct palette_numbers *numbers, const struct tcs_palette *palette,
 			numbers, palette, image->type, &copy.type, fault);
 	if (status)
 		return status;
-	if (array_grow(&numbers->fresh.images, 1))
+	if (array_grow(&numbers->fresh.images, 1) ||
+		array_grow(&numbers->fresh.bytes, image->byte_count))
 		return fault_memory(fault);
+	copy.first_byte = numbers->fresh.bytes.count;
+	if (image->byte_count)
+		memcpy(numbers->fresh.bytes.at + copy.first_byte,
+			palette->bytes.at + image->first_byte,
+			image->byte_count);
+	numbers->fresh.bytes.count += image->byte_count;
 	numbers->fresh.images.at[numbers->fresh.images.count++] = copy;
 	return TCS_OK;
 }
@@ -155,6 +162,9 @@ image_number(struct palette_numbers *numbers, const struct tcs_palette *palette,
 	if (!status)
 		status = key_add(
 			numbers, image->border, sizeof image->border, fault);
+	if (!status && image->byte_count)
+		status = key_add(numbers, palette->bytes.at + image->first_byte,
+			image->byte_count, fault);
 	if (!status)
 		status = digests_add(&numbers->images, numbers->key.at,
 			numbers->key.count, out, &added, fault);
@@ -162,7 +172,7 @@ image_number(struct palette_numbers *numbers, const struct tcs_palette *palette,
 		status = image_copy(numbers, palette, image, fault);
 	if (!status && added)
 		status = report_add(&numbers->found, "images", 1, fault);
-	if (status || !added)
+	if (status || !added || image->byte_count)
 		return status;
 	return image_look_up(numbers, palette_text(palette, image->uri), fault);
 }

@@ -102,6 +102,7 @@ enum raw_mapping {
 	MAPPING_NONE, /* a material */
 	MAPPING_LIST, /* ring by ring */
 	MAPPING_MATRIX, /* worldToTexture */
+	MAPPING_ORDER, /* polygon by polygon, of one ring each */
 };
 
 /* Texture coordinates of one ring, as text. */
@@ -122,9 +123,10 @@ struct raw_paint {
 	uint32_t material; /* of the stream's palette, or marked: of the
 	                      object's (citygml_palette.h); TCS_NONE */
 	uint32_t image; /* the same */
-	uint32_t first_ring; /* MAPPING_LIST: of `texrings` */
+	uint32_t first_ring; /* MAPPING_LIST and _ORDER: of `texrings` */
 	uint32_t ring_count;
 	uint32_t matrix; /* MAPPING_MATRIX: of `texmatrices` */
+	uint32_t first_polygon; /* MAPPING_ORDER: that of the first ring */
 	uint8_t mapping; /* enum raw_mapping */
 	bool back;
 };

@@ -14,9 +14,12 @@ mesh_file_release(struct mesh_file *mesh)
 {
 	array_release(&mesh->points);
 	array_release(&mesh->corners);
+	array_release(&mesh->texcoords);
 	array_release(&mesh->faces);
 	array_release(&mesh->materials);
+	array_release(&mesh->images);
 	array_release(&mesh->names);
+	array_release(&mesh->bytes);
 }
 
 /* ---- building ---------------------------------------------------------------- */
@@ -40,28 +43,64 @@ mesh_add_point(struct mesh_file *mesh, const struct mesh_source *source,
 
 enum tcs_status
 mesh_add_corner(struct mesh_file *mesh, const struct mesh_source *source,
-	uint32_t point, const char **problem, struct tcs_fault *fault)
+	uint32_t point, const struct tcs_texcoord *texcoord,
+	const char **problem, struct tcs_fault *fault)
 {
+	static const struct tcs_texcoord none = {(double)NAN, (double)NAN};
+
 	if (point >= mesh->points.count)
 		*problem = "a face names a point that is not there";
 	else if (mesh->corners.count >= source->limit / sizeof point / 4)
 		*problem = too_large;
 	if (*problem)
 		return TCS_OK;
-	if (array_grow(&mesh->corners, 1))
+	if (array_grow(&mesh->corners, 1) || array_grow(&mesh->texcoords, 1))
 		return fault_memory(fault);
 	mesh->corners.at[mesh->corners.count++] = point;
+	mesh->texcoords.at[mesh->texcoords.count++] =
+		texcoord ? *texcoord : none;
 	return TCS_OK;
+}
+
+static bool
+has_texcoords(const struct mesh_file *mesh, uint32_t count)
+{
+	const struct tcs_texcoord *end =
+		mesh->texcoords.at + mesh->texcoords.count;
+
+	for (const struct tcs_texcoord *at = end - count; at < end; at++)
+		if (!isfinite(at->s) || !isfinite(at->t))
+			return false;
+	return true;
 }
 
 enum tcs_status
 mesh_add_face(struct mesh_file *mesh, uint32_t count, uint32_t material,
 	struct tcs_fault *fault)
 {
+	bool textured = material != TCS_NONE &&
+		mesh->materials.at[material].image != TCS_NONE &&
+		has_texcoords(mesh, count);
+
 	if (array_grow(&mesh->faces, 1))
 		return fault_memory(fault);
-	mesh->faces.at[mesh->faces.count++] = (struct mesh_face){
-		(uint32_t)mesh->corners.count - count, count, material};
+	mesh->faces.at[mesh->faces.count++] =
+		(struct mesh_face){(uint32_t)mesh->corners.count - count, count,
+			material, textured};
+	return TCS_OK;
+}
+
+static enum tcs_status
+name_add(struct mesh_file *mesh, const char *name, size_t length, size_t *out,
+	struct tcs_fault *fault)
+{
+	if (array_grow(&mesh->names, length + 1))
+		return fault_memory(fault);
+	*out = mesh->names.count;
+	if (length)
+		memcpy(mesh->names.at + mesh->names.count, name, length);
+	mesh->names.at[mesh->names.count + length] = 0;
+	mesh->names.count += length + 1;
 	return TCS_OK;
 }
 
@@ -69,17 +108,43 @@ enum tcs_status
 mesh_add_material(struct mesh_file *mesh, const char *name, size_t length,
 	struct mesh_material **out, struct tcs_fault *fault)
 {
-	if (array_grow(&mesh->materials, 1) ||
-		array_grow(&mesh->names, length + 1))
+	if (array_grow(&mesh->materials, 1))
 		return fault_memory(fault);
 	*out = &mesh->materials.at[mesh->materials.count++];
 	**out = (struct mesh_material){
-		.diffuse = {0.8f, 0.8f, 0.8f}, .name = mesh->names.count};
-	if (length)
-		memcpy(mesh->names.at + mesh->names.count, name, length);
-	mesh->names.at[mesh->names.count + length] = 0;
-	mesh->names.count += length + 1;
-	return TCS_OK;
+		.diffuse = {0.8f, 0.8f, 0.8f}, .image = TCS_NONE};
+	return name_add(mesh, name, length, &(*out)->name, fault);
+}
+
+enum tcs_status
+mesh_add_image(struct mesh_file *mesh, const struct mesh_source *source,
+	const char *uri, const char *mime, uint32_t wrap,
+	const struct mesh_bytes *bytes, uint32_t *out, const char **problem,
+	struct tcs_fault *fault)
+{
+	size_t count = bytes ? bytes->count : 0;
+	struct mesh_image *image;
+	enum tcs_status status;
+
+	if (count > source->limit - mesh->bytes.count)
+		*problem = too_large;
+	if (*problem)
+		return TCS_OK;
+	if (array_grow(&mesh->images, 1) || array_grow(&mesh->bytes, count))
+		return fault_memory(fault);
+	*out = (uint32_t)mesh->images.count;
+	image = &mesh->images.at[mesh->images.count++];
+	*image = (struct mesh_image){.wrap = wrap,
+		.first_byte = mesh->bytes.count,
+		.byte_count = count};
+	if (count)
+		memcpy(mesh->bytes.at + mesh->bytes.count, bytes->at, count);
+	mesh->bytes.count += count;
+	status = name_add(mesh, uri, strlen(uri), &image->uri, fault);
+	if (!status)
+		status =
+			name_add(mesh, mime, strlen(mime), &image->mime, fault);
+	return status;
 }
 
 static int
@@ -89,6 +154,8 @@ compare_faces(const void *a, const void *b)
 
 	if (one->material != two->material)
 		return one->material < two->material ? -1 : 1;
+	if (one->textured != two->textured)
+		return two->textured ? -1 : 1;
 	return one->first_corner < two->first_corner ? -1 : 1;
 }
 
@@ -138,27 +205,76 @@ path_read(struct mesh_bytes *bytes, const struct mesh_source *source,
 	return status;
 }
 
+static bool
+is_beside(const char *name)
+{
+	return *name != '/' && !strchr(name, ':');
+}
+
+/* Take "." and what ".." takes back out of a path. */
+static void
+path_shorten(char *path)
+{
+	char *to = path;
+
+	for (char *from = path, *next; *from; from = next) {
+		size_t length = strcspn(from, "/");
+		bool dots = length == 2 && !memcmp(from, "..", 2);
+		bool first = to == path;
+		bool climbs = to - path >= 3 && !memcmp(to - 3, "../", 3) &&
+			(to - path == 3 || to[-4] == '/');
+
+		next = from + length + (from[length] == '/');
+		if (length == 1 && *from == '.')
+			continue;
+		if (dots && !first && !climbs) {
+			for (to--; to > path && to[-1] != '/'; to--)
+				;
+			continue;
+		}
+		memmove(to, from, (size_t)(next - from));
+		to += next - from;
+	}
+	*to = 0;
+}
+
+char *
+mesh_path_beside(const char *path, const char *name)
+{
+	const char *slash = strrchr(path, '/');
+	size_t length = slash ? (size_t)(slash + 1 - path) : 0;
+	char *out;
+
+	if (!is_beside(name))
+		return strdup(name);
+	out = malloc(length + strlen(name) + 1);
+	if (!out)
+		return NULL;
+	memcpy(out, path, length);
+	strcpy(out + length, name);
+	for (char *at = out; *at; at++)
+		if (*at == '\\')
+			*at = '/';
+	path_shorten(out);
+	return out;
+}
+
 enum tcs_status
 mesh_bytes_read(struct mesh_bytes *bytes, const struct mesh_source *source,
 	const char *name, const char **problem, struct tcs_fault *fault)
 {
-	const char *slash = strrchr(source->path, '/');
-	size_t length = slash ? (size_t)(slash + 1 - source->path) : 0;
-	char *path = malloc(length + strlen(name) + 1);
+	char *path;
 	enum tcs_status status;
 
-	if (!path)
-		return fault_memory(fault);
-	memcpy(path, source->path, length);
-	strcpy(path + length, name);
-	/* Its own name is checked: a prefix would hide what it is. */
-	if (*name == '/' || strchr(name, ':')) {
+	if (!is_beside(name)) {
 		*bytes = (struct mesh_bytes){.count = 0};
 		*problem = "a file it needs is not beside it";
-		status = TCS_OK;
-	} else {
-		status = path_read(bytes, source, path, problem, fault);
+		return TCS_OK;
 	}
+	path = mesh_path_beside(source->path, name);
+	if (!path)
+		return fault_memory(fault);
+	status = path_read(bytes, source, path, problem, fault);
 	free(path);
 	return status;
 }

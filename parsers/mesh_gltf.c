@@ -4,54 +4,23 @@
  * The JSON says where numbers lie in the buffers; every such claim is checked
  * against the bytes that are there before one is read.
  */
-#include <jansson.h>
-#include <math.h>
+#include "mesh_gltf.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-#include "base64.h"
-#include "mesh_file.h"
+const char gltf_broken[] = "the glTF is broken";
 
-struct gltf {
-	struct mesh_file *mesh;
-	const struct mesh_source *source;
-	const char **problem;
-	struct tcs_fault *fault;
-	json_t *root;
-	struct mesh_bytes binary; /* of a .glb; borrowed */
-	struct mesh_bytes *buffers; /* owned, NULL until they are read */
-	size_t buffer_count;
-	uint64_t held; /* bytes of those that were read */
-	bool *visited; /* per node */
-};
-
-/* An array of numbers in a buffer. */
-struct numbers {
-	const unsigned char *at;
-	size_t count, stride;
-	int component; /* 5121, 5123, 5125, 5126 */
-};
-
-enum {
-	UNSIGNED_BYTE = 5121,
-	UNSIGNED_SHORT = 5123,
-	UNSIGNED_INT = 5125,
-	FLOAT = 5126
-};
-
-static const char broken[] = "the glTF is broken";
-
-static enum tcs_status
-refuse(struct gltf *gltf, const char *problem)
+enum tcs_status
+gltf_refuse(struct gltf *gltf, const char *problem)
 {
 	if (!*gltf->problem)
 		*gltf->problem = problem;
 	return TCS_OK;
 }
 
-/* A whole number; `otherwise` where there is none or it is none. */
-static size_t
-get_number(const json_t *object, const char *key, size_t otherwise)
+size_t
+gltf_number(const json_t *object, const char *key, size_t otherwise)
 {
 	const json_t *value = json_object_get(object, key);
 	json_int_t number = json_integer_value(value);
@@ -61,129 +30,21 @@ get_number(const json_t *object, const char *key, size_t otherwise)
 		: otherwise;
 }
 
-static const json_t *
-get_element(const struct gltf *gltf, const char *array, size_t index)
+const json_t *
+gltf_element(const struct gltf *gltf, const char *array, size_t index)
 {
 	return json_array_get(json_object_get(gltf->root, array), index);
 }
 
-/* ---- buffers ----------------------------------------------------------------- */
-
-static enum tcs_status
-decode_data(struct gltf *gltf, struct mesh_bytes *buffer, const char *uri)
+void
+gltf_array(const json_t *object, const char *key, double *out, size_t count)
 {
-	const char *text = strstr(uri, ";base64,");
-	size_t length;
+	const json_t *array = json_object_get(object, key);
 
-	if (!text)
-		return refuse(gltf, broken);
-	text += 8;
-	length = strlen(text);
-	buffer->at = malloc(length / 4 * 3 + 1);
-	if (!buffer->at)
-		return fault_memory(gltf->fault);
-	if (base64_decode(buffer->at, &buffer->count, text, length))
-		return refuse(gltf, broken);
-	return TCS_OK;
-}
-
-static enum tcs_status
-buffer_read(struct gltf *gltf, size_t index, struct mesh_bytes *out)
-{
-	const json_t *entry = get_element(gltf, "buffers", index);
-	const char *uri = json_string_value(json_object_get(entry, "uri"));
-	struct mesh_bytes *buffer = &gltf->buffers[index];
-	struct mesh_source source = *gltf->source;
-	enum tcs_status status = TCS_OK;
-
-	if (!uri) {
-		*out = index == 0 ? gltf->binary
-				  : (struct mesh_bytes){.count = 0};
-		return out->at ? TCS_OK : refuse(gltf, broken);
-	}
-	source.limit -= gltf->held;
-	if (!buffer->at && !strncmp(uri, "data:", 5)) {
-		status = decode_data(gltf, buffer, uri);
-	} else if (!buffer->at) {
-		status = mesh_bytes_read(
-			buffer, &source, uri, gltf->problem, gltf->fault);
-		gltf->held += buffer->count;
-	}
-	*out = *buffer;
-	return status;
-}
-
-static size_t
-component_size(int component)
-{
-	switch (component) {
-	case UNSIGNED_BYTE:
-		return 1;
-	case UNSIGNED_SHORT:
-		return 2;
-	case UNSIGNED_INT:
-	case FLOAT:
-		return 4;
-	default:
-		return 0;
-	}
-}
-
-/* An accessor of `width` components, all of whose bytes are there. */
-static enum tcs_status
-numbers_find(struct gltf *gltf, size_t index, size_t width, struct numbers *out)
-{
-	const json_t *accessor = get_element(gltf, "accessors", index);
-	size_t view_index = get_number(accessor, "bufferView", SIZE_MAX);
-	const json_t *view = get_element(gltf, "bufferViews", view_index);
-	size_t buffer_index = get_number(view, "buffer", SIZE_MAX);
-	size_t first = get_number(view, "byteOffset", 0);
-	size_t length = get_number(view, "byteLength", 0);
-	size_t offset = get_number(accessor, "byteOffset", 0);
-	struct mesh_bytes bytes;
-	size_t size;
-	enum tcs_status status;
-
-	out->component = (int)get_number(accessor, "componentType", 0);
-	out->count = get_number(accessor, "count", 0);
-	size = width * component_size(out->component);
-	out->stride = get_number(view, "byteStride", size);
-	if (json_object_get(accessor, "sparse"))
-		return refuse(gltf, "it has sparse arrays");
-	if (buffer_index >= gltf->buffer_count || !size || !out->count ||
-		out->stride < size)
-		return refuse(gltf, broken);
-	status = buffer_read(gltf, buffer_index, &bytes);
-	if (status || *gltf->problem)
-		return status;
-	if (first > bytes.count || length > bytes.count - first ||
-		offset > length || length - offset < size ||
-		(length - offset - size) / out->stride < out->count - 1)
-		return refuse(gltf, broken);
-	out->at = bytes.at + first + offset;
-	return TCS_OK;
-}
-
-static uint32_t
-whole_at(const struct numbers *numbers, size_t index)
-{
-	const unsigned char *at = numbers->at + index * numbers->stride;
-	uint32_t value = 0;
-
-	for (size_t i = component_size(numbers->component); i-- > 0;)
-		value = value << 8 | at[i];
-	return value;
-}
-
-static double
-float_at(const unsigned char *at)
-{
-	uint32_t bits = (uint32_t)at[0] | (uint32_t)at[1] << 8 |
-		(uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
-	float value;
-
-	memcpy(&value, &bits, sizeof value);
-	return value;
+	if (json_array_size(array) != count)
+		return;
+	for (size_t i = 0; i < count; i++)
+		out[i] = json_number_value(json_array_get(array, i));
 }
 
 /* ---- primitives -------------------------------------------------------------- */
@@ -192,7 +53,7 @@ enum { TRIANGLES = 4, TRIANGLE_STRIP = 5, TRIANGLE_FAN = 6 };
 
 /* The points of the primitive, placed and turned; *first is that of them. */
 static enum tcs_status
-points_take(struct gltf *gltf, const struct numbers *positions,
+points_take(struct gltf *gltf, const struct gltf_numbers *positions,
 	const double m[16], uint32_t *first)
 {
 	enum tcs_status status = TCS_OK;
@@ -201,8 +62,8 @@ points_take(struct gltf *gltf, const struct numbers *positions,
 	for (size_t i = 0; !status && !*gltf->problem && i < positions->count;
 		i++) {
 		const unsigned char *at = positions->at + i * positions->stride;
-		double p[3] = {
-			float_at(at), float_at(at + 4), float_at(at + 8)};
+		double p[3] = {gltf_float_at(at), gltf_float_at(at + 4),
+			gltf_float_at(at + 8)};
 		double q[3];
 
 		for (int j = 0; j < 3; j++)
@@ -239,84 +100,100 @@ mirrors(const double m[16])
 		0;
 }
 
-/* Without indices the points come in their order. */
+/* A primitive whose points have been taken. */
+struct primitive {
+	const struct gltf_numbers *indices; /* NULL: the points in order */
+	struct gltf_numbers texcoords; /* of the points; may count none */
+	size_t corner_count, mode;
+	uint32_t first_point; /* of the mesh */
+	uint32_t material;
+	bool mirrored;
+};
+
 static enum tcs_status
-triangles_take(struct gltf *gltf, const struct numbers *indices, size_t count,
-	size_t mode, uint32_t first, bool mirrored, uint32_t material)
+corner_take(struct gltf *gltf, const struct primitive *primitive, size_t corner)
 {
-	size_t points = gltf->mesh->points.count - first;
-	size_t triangles = mode == TRIANGLES ? count / 3
-		: count < 3		     ? 0
-					     : count - 2;
+	size_t points = gltf->mesh->points.count - primitive->first_point;
+	size_t point = primitive->indices
+		? gltf_whole_at(primitive->indices, corner)
+		: corner;
+	bool textured = point < primitive->texcoords.count;
+	struct tcs_texcoord texcoord = {0, 0};
+
+	if (textured)
+		texcoord = gltf_texcoord_at(gltf, primitive->material,
+			&primitive->texcoords, point);
+	return mesh_add_corner(gltf->mesh, gltf->source,
+		point < points ? primitive->first_point + (uint32_t)point
+			       : TCS_NONE,
+		textured ? &texcoord : NULL, gltf->problem, gltf->fault);
+}
+
+static enum tcs_status
+triangles_take(struct gltf *gltf, const struct primitive *primitive)
+{
+	size_t count = primitive->corner_count;
+	size_t triangles = primitive->mode == TRIANGLES ? count / 3
+		: count < 3				? 0
+							: count - 2;
 	enum tcs_status status = TCS_OK;
 
 	for (size_t i = 0; !status && !*gltf->problem && i < triangles; i++) {
 		size_t corners[3];
 
-		triangle_corners(mode, i, corners);
-		for (int j = 0; j < 3 && !status && !*gltf->problem; j++) {
-			size_t corner = corners[mirrored ? 2 - j : j];
-			size_t point =
-				indices ? whole_at(indices, corner) : corner;
-
-			status = mesh_add_corner(gltf->mesh, gltf->source,
-				point < points ? first + (uint32_t)point
-					       : TCS_NONE,
-				gltf->problem, gltf->fault);
-		}
+		triangle_corners(primitive->mode, i, corners);
+		for (int j = 0; j < 3 && !status && !*gltf->problem; j++)
+			status = corner_take(gltf, primitive,
+				corners[primitive->mirrored ? 2 - j : j]);
 		if (!status && !*gltf->problem)
-			status = mesh_add_face(
-				gltf->mesh, 3, material, gltf->fault);
+			status = mesh_add_face(gltf->mesh, 3,
+				primitive->material, gltf->fault);
 	}
 	return status;
 }
 
 static enum tcs_status
-primitive_take(
-	struct gltf *gltf, const json_t *primitive, const double matrix[16])
+primitive_take(struct gltf *gltf, const json_t *entry, const double matrix[16])
 {
-	const json_t *attributes = json_object_get(primitive, "attributes");
-	size_t mode = get_number(primitive, "mode", TRIANGLES);
-	size_t material = get_number(primitive, "material", SIZE_MAX);
-	size_t indices_index = get_number(primitive, "indices", SIZE_MAX);
-	struct numbers positions, indices;
-	bool indexed = json_object_get(primitive, "indices");
+	const json_t *attributes = json_object_get(entry, "attributes");
+	size_t material = gltf_number(entry, "material", SIZE_MAX);
+	bool indexed = json_object_get(entry, "indices");
+	struct gltf_numbers positions, indices;
+	struct primitive primitive = {
+		.mode = gltf_number(entry, "mode", TRIANGLES),
+		.material = material < gltf->mesh->materials.count
+			? (uint32_t)material
+			: TCS_NONE,
+		.mirrored = mirrors(matrix),
+	};
 	enum tcs_status status;
-	uint32_t first;
 
-	if (mode < TRIANGLES || mode > TRIANGLE_FAN)
+	if (primitive.mode < TRIANGLES || primitive.mode > TRIANGLE_FAN)
 		return TCS_OK; /* points and lines */
-	status = numbers_find(gltf,
-		get_number(attributes, "POSITION", SIZE_MAX), 3, &positions);
-	if (!status && !*gltf->problem && positions.component != FLOAT)
-		return refuse(gltf, broken);
+	status = gltf_numbers_find(gltf,
+		gltf_number(attributes, "POSITION", SIZE_MAX), 3, &positions);
+	if (!status && !*gltf->problem && positions.component != GLTF_FLOAT)
+		return gltf_refuse(gltf, gltf_broken);
 	if (!status && !*gltf->problem && indexed)
-		status = numbers_find(gltf, indices_index, 1, &indices);
-	if (!status && !*gltf->problem && indexed && indices.component == FLOAT)
-		return refuse(gltf, broken);
+		status = gltf_numbers_find(gltf,
+			gltf_number(entry, "indices", SIZE_MAX), 1, &indices);
+	if (!status && !*gltf->problem && indexed &&
+		indices.component == GLTF_FLOAT)
+		return gltf_refuse(gltf, gltf_broken);
 	if (!status && !*gltf->problem)
-		status = points_take(gltf, &positions, matrix, &first);
+		status = gltf_texcoords_find(gltf, attributes,
+			primitive.material, &primitive.texcoords);
+	if (!status && !*gltf->problem)
+		status = points_take(
+			gltf, &positions, matrix, &primitive.first_point);
 	if (status || *gltf->problem)
 		return status;
-	return triangles_take(gltf, indexed ? &indices : NULL,
-		indexed ? indices.count : positions.count, mode, first,
-		mirrors(matrix),
-		material < gltf->mesh->materials.count ? (uint32_t)material
-						       : TCS_NONE);
+	primitive.indices = indexed ? &indices : NULL;
+	primitive.corner_count = indexed ? indices.count : positions.count;
+	return triangles_take(gltf, &primitive);
 }
 
 /* ---- nodes ------------------------------------------------------------------- */
-
-static void
-get_numbers(const json_t *object, const char *key, double *out, size_t count)
-{
-	const json_t *array = json_object_get(object, key);
-
-	if (json_array_size(array) != count)
-		return;
-	for (size_t i = 0; i < count; i++)
-		out[i] = json_number_value(json_array_get(array, i));
-}
 
 /* Column by column, as in the file. */
 static void
@@ -325,9 +202,9 @@ node_matrix(const json_t *node, double m[16])
 	double t[3] = {0}, r[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
 	double x, y, z, w;
 
-	get_numbers(node, "translation", t, 3);
-	get_numbers(node, "rotation", r, 4);
-	get_numbers(node, "scale", s, 3);
+	gltf_array(node, "translation", t, 3);
+	gltf_array(node, "rotation", r, 4);
+	gltf_array(node, "scale", s, 3);
 	x = r[0], y = r[1], z = r[2], w = r[3];
 	memcpy(m,
 		(double[16]){(1 - 2 * (y * y + z * z)) * s[0],
@@ -339,7 +216,7 @@ node_matrix(const json_t *node, double m[16])
 			(1 - 2 * (x * x + y * y)) * s[2], 0, t[0], t[1], t[2],
 			1},
 		16 * sizeof *m);
-	get_numbers(node, "matrix", m, 16);
+	gltf_array(node, "matrix", m, 16);
 }
 
 static void
@@ -375,7 +252,7 @@ places_add(struct gltf *gltf, struct places *places, const json_t *nodes,
 
 		if (!json_is_integer(value) || node < 0 ||
 			(size_t)node >= known || gltf->visited[node])
-			return refuse(gltf, broken);
+			return gltf_refuse(gltf, gltf_broken);
 		gltf->visited[node] = true;
 		if (array_grow(places, 1))
 			return fault_memory(gltf->fault);
@@ -390,9 +267,9 @@ static enum tcs_status
 node_take(struct gltf *gltf, struct places *places)
 {
 	const struct place place = places->at[--places->count];
-	const json_t *node = get_element(gltf, "nodes", place.node);
-	const json_t *mesh =
-		get_element(gltf, "meshes", get_number(node, "mesh", SIZE_MAX));
+	const json_t *node = gltf_element(gltf, "nodes", place.node);
+	const json_t *mesh = gltf_element(
+		gltf, "meshes", gltf_number(node, "mesh", SIZE_MAX));
 	const json_t *primitives = json_object_get(mesh, "primitives");
 	double own[16], matrix[16];
 	enum tcs_status status = TCS_OK;
@@ -416,8 +293,8 @@ scene_take(struct gltf *gltf)
 {
 	static const double unit[16] = {
 		1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-	const json_t *scene =
-		get_element(gltf, "scenes", get_number(gltf->root, "scene", 0));
+	const json_t *scene = gltf_element(
+		gltf, "scenes", gltf_number(gltf->root, "scene", 0));
 	struct places places = {0};
 	enum tcs_status status = places_add(
 		gltf, &places, json_object_get(scene, "nodes"), unit);
@@ -425,52 +302,6 @@ scene_take(struct gltf *gltf)
 	while (!status && !*gltf->problem && places.count)
 		status = node_take(gltf, &places);
 	array_release(&places);
-	return status;
-}
-
-/* ---- materials --------------------------------------------------------------- */
-
-/* glTF's colours are linear. */
-static float
-srgb_of(double linear)
-{
-	if (!(linear > 0))
-		return 0;
-	if (linear >= 1)
-		return 1;
-	return (float)(linear <= 0.0031308
-			? 12.92 * linear
-			: 1.055 * pow(linear, 1 / 2.4) - 0.055);
-}
-
-static enum tcs_status
-materials_take(struct gltf *gltf)
-{
-	const json_t *all = json_object_get(gltf->root, "materials");
-	enum tcs_status status = TCS_OK;
-
-	for (size_t i = 0; !status && i < json_array_size(all); i++) {
-		const json_t *entry = json_array_get(all, i);
-		const json_t *shown =
-			json_object_get(entry, "pbrMetallicRoughness");
-		const json_t *named = json_object_get(entry, "name");
-		const char *name = json_string_value(named);
-		const char *mode =
-			json_string_value(json_object_get(entry, "alphaMode"));
-		double colour[4] = {1, 1, 1, 1};
-		struct mesh_material *material;
-
-		get_numbers(shown, "baseColorFactor", colour, 4);
-		status = mesh_add_material(gltf->mesh, name ? name : "",
-			name ? strlen(name) : 0, &material, gltf->fault);
-		if (status)
-			break;
-		for (int j = 0; j < 3; j++)
-			material->diffuse[j] = srgb_of(colour[j]);
-		if (mode && !strcmp(mode, "BLEND") && colour[3] >= 0 &&
-			colour[3] <= 1)
-			material->transparency = (float)(1 - colour[3]);
-	}
 	return status;
 }
 
@@ -483,16 +314,16 @@ document_take(struct gltf *gltf)
 	enum tcs_status status;
 
 	if (!json_is_object(gltf->root))
-		return refuse(gltf, "it is no glTF");
+		return gltf_refuse(gltf, "it is no glTF");
 	if (json_array_size(json_object_get(gltf->root, "extensionsRequired")))
-		return refuse(gltf, "it requires extensions of glTF");
+		return gltf_refuse(gltf, "it requires extensions of glTF");
 	gltf->buffer_count =
 		json_array_size(json_object_get(gltf->root, "buffers"));
 	gltf->buffers = calloc(gltf->buffer_count + 1, sizeof *gltf->buffers);
 	gltf->visited = calloc(nodes + 1, sizeof *gltf->visited);
 	if (!gltf->buffers || !gltf->visited)
 		return fault_memory(gltf->fault);
-	status = materials_take(gltf);
+	status = gltf_materials_take(gltf);
 	return status ? status : scene_take(gltf);
 }
 
@@ -549,7 +380,7 @@ mesh_parse_gltf(struct mesh_file *mesh, const struct mesh_source *source,
 
 	*problem = NULL;
 	if (!parts_find(bytes, &text, &gltf.binary))
-		return refuse(&gltf, broken);
+		return gltf_refuse(&gltf, gltf_broken);
 	gltf.root = json_loadb((const char *)text.at, text.count,
 		JSON_DISABLE_EOF_CHECK, NULL);
 	status = document_take(&gltf);
@@ -557,6 +388,8 @@ mesh_parse_gltf(struct mesh_file *mesh, const struct mesh_source *source,
 		free(gltf.buffers[i].at);
 	free(gltf.buffers);
 	free(gltf.visited);
+	free(gltf.looks);
+	free(gltf.images);
 	json_decref(gltf.root);
 	return status;
 }

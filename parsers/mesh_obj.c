@@ -1,4 +1,5 @@
-/* Wavefront OBJ: points, faces and the plain colours of materials. */
+/* Wavefront OBJ: points, faces, and the colours and images of materials. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +13,8 @@ struct obj {
 	struct tcs_fault *fault;
 	uint32_t material; /* in force; TCS_NONE */
 	int libraries; /* of materials, read so far */
+	char *library; /* path of the one being read; owned */
+	TCS_ARRAY(struct tcs_texcoord) texcoords;
 };
 
 /* A line, ended by a NUL, is taken word by word. */
@@ -106,6 +109,58 @@ set_clearness(struct mesh_material *material, struct words *words, bool opaque)
 		material->transparency = (float)(opaque ? 1 - number : number);
 }
 
+/* Whether the options before the name of an image leave it as it is: they are
+ * taken, *wrap with them. */
+static bool
+image_options_take(struct words *words, uint32_t *wrap)
+{
+	static const char *const harmless[] = {"-blendu", "-blendv", "-boost",
+		"-cc", "-texres", "-type", "-imfchan", "-bm"};
+	bool known = true;
+
+	*wrap = TCS_WRAP_REPEAT;
+	while (known && *words_rest(words) == '-') {
+		const char *option = word_next(words);
+		const char *value = word_next(words);
+
+		known = false;
+		for (size_t i = 0; i < sizeof harmless / sizeof *harmless; i++)
+			known |= !strcmp(option, harmless[i]);
+		if (!strcmp(option, "-mm")) {
+			known = true;
+			word_next(words);
+		}
+		if (!strcmp(option, "-clamp")) {
+			known = true;
+			if (value && !strcmp(value, "on"))
+				*wrap = TCS_WRAP_CLAMP;
+		}
+	}
+	return known;
+}
+
+/* The image of the last material. */
+static enum tcs_status
+image_take(struct obj *obj, struct words *words)
+{
+	struct mesh_file *mesh = obj->mesh;
+	uint32_t wrap, image;
+	enum tcs_status status;
+	char *uri;
+
+	if (!image_options_take(words, &wrap) || !*words_rest(words))
+		return TCS_OK;
+	uri = mesh_path_beside(obj->library, words_rest(words));
+	if (!uri)
+		return fault_memory(obj->fault);
+	status = mesh_add_image(mesh, obj->source, uri, "", wrap, NULL, &image,
+		obj->problem, obj->fault);
+	free(uri);
+	if (!status && !*obj->problem)
+		mesh->materials.at[mesh->materials.count - 1].image = image;
+	return status;
+}
+
 enum { MOST_MATERIALS = 1000, MOST_LIBRARIES = 16 };
 
 static enum tcs_status
@@ -133,6 +188,8 @@ material_line(struct obj *obj, char *line)
 		set_colour(last, &words);
 	if (last && (!strcmp(key, "d") || !strcmp(key, "Tr")))
 		set_clearness(last, &words, *key == 'd');
+	if (last && !strcmp(key, "map_Kd") && last->image == TCS_NONE)
+		return image_take(obj, &words);
 	return TCS_OK;
 }
 
@@ -170,8 +227,12 @@ library_read(struct obj *obj, const char *name)
 	enum tcs_status status = mesh_bytes_read(
 		&bytes, obj->source, name, &problem, obj->fault);
 
-	if (!status && !problem)
-		status = lines_take(obj, &bytes, material_line);
+	if (!status && !problem) {
+		obj->library = mesh_path_beside(obj->source->path, name);
+		status = obj->library ? lines_take(obj, &bytes, material_line)
+				      : fault_memory(obj->fault);
+		free(obj->library);
+	}
 	free(bytes.at);
 	return status;
 }
@@ -190,12 +251,31 @@ point_take(struct obj *obj, struct words *words)
 		obj->problem, obj->fault);
 }
 
-/* "7", "7/1", "7//3", "7/1/3", or from the end as "-1". */
+/* The height is 0 where it is left out. */
+static enum tcs_status
+texcoord_take(struct obj *obj, struct words *words)
+{
+	double numbers[2] = {(double)NAN, 0};
+
+	if (obj->texcoords.count >=
+		obj->source->limit / sizeof *obj->texcoords.at) {
+		*obj->problem = "larger than --max-library";
+		return TCS_OK;
+	}
+	if (array_grow(&obj->texcoords, 1))
+		return fault_memory(obj->fault);
+	numbers_take(words, numbers, 2);
+	obj->texcoords.at[obj->texcoords.count++] =
+		(struct tcs_texcoord){numbers[0], numbers[1]};
+	return TCS_OK;
+}
+
+/* A number from 1, or from the end as "-1", as an index below `size`. */
 static uint32_t
-corner_of(const struct mesh_file *mesh, const char *word)
+index_of(const char *word, size_t size)
 {
 	const char *end = word + strcspn(word, "/");
-	int64_t number = 0, count = (int64_t)mesh->points.count;
+	int64_t number = 0, count = (int64_t)size;
 
 	if (number_parse_integer(word, end, &number) != end)
 		return TCS_NONE;
@@ -203,6 +283,20 @@ corner_of(const struct mesh_file *mesh, const char *word)
 		number += count + 1;
 	return number > 0 && number <= count ? (uint32_t)(number - 1)
 					     : TCS_NONE;
+}
+
+/* "7", "7/1", "7//3", "7/1/3". */
+static enum tcs_status
+corner_take(struct obj *obj, const char *word)
+{
+	const char *slash = strchr(word, '/');
+	uint32_t texcoord =
+		slash ? index_of(slash + 1, obj->texcoords.count) : TCS_NONE;
+
+	return mesh_add_corner(obj->mesh, obj->source,
+		index_of(word, obj->mesh->points.count),
+		texcoord == TCS_NONE ? NULL : &obj->texcoords.at[texcoord],
+		obj->problem, obj->fault);
 }
 
 static enum tcs_status
@@ -213,8 +307,7 @@ face_take(struct obj *obj, struct words *words)
 	char *word;
 
 	while (!status && !*obj->problem && (word = word_next(words))) {
-		status = mesh_add_corner(obj->mesh, obj->source,
-			corner_of(obj->mesh, word), obj->problem, obj->fault);
+		status = corner_take(obj, word);
 		count++;
 	}
 	if (!status && !*obj->problem && count < 3)
@@ -234,6 +327,8 @@ obj_line(struct obj *obj, char *line)
 		return TCS_OK;
 	if (!strcmp(key, "v"))
 		return point_take(obj, &words);
+	if (!strcmp(key, "vt"))
+		return texcoord_take(obj, &words);
 	if (!strcmp(key, "f") || !strcmp(key, "fo"))
 		return face_take(obj, &words);
 	if (!strcmp(key, "mtllib") && obj->libraries++ < MOST_LIBRARIES)
@@ -248,9 +343,19 @@ mesh_parse_obj(struct mesh_file *mesh, const struct mesh_source *source,
 	const struct mesh_bytes *bytes, const char **problem,
 	struct tcs_fault *fault)
 {
-	struct obj obj = {mesh, source, problem, fault, TCS_NONE, 0};
+	struct obj obj = {
+		.mesh = mesh,
+		.source = source,
+		.problem = problem,
+		.fault = fault,
+		.material = TCS_NONE,
+	};
 	struct mesh_bytes text = *bytes;
+	enum tcs_status status = TCS_OK;
 
 	*problem = memchr(bytes->at, 0, bytes->count) ? "it is no text" : NULL;
-	return *problem ? TCS_OK : lines_take(&obj, &text, obj_line);
+	if (!*problem)
+		status = lines_take(&obj, &text, obj_line);
+	array_release(&obj.texcoords);
+	return status;
 }

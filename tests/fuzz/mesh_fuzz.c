@@ -1,11 +1,49 @@
 /* The first byte chooses glTF or OBJ for the others: faces are in order, and
- * every corner is a point, within the limit. */
+ * every corner is a point, within the limit, what is textured has an image. */
 #include "parsers/mesh_file.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
+
+static void
+check_face(const struct mesh_file *mesh, const struct mesh_face *face)
+{
+	uint32_t image;
+
+	if (face->corner_count < 3 ||
+		(face->material != TCS_NONE &&
+			face->material >= mesh->materials.count))
+		abort();
+	if (!face->textured)
+		return;
+	image = mesh->materials.at[face->material].image;
+	if (image >= mesh->images.count)
+		abort();
+	for (uint32_t i = 0; i < face->corner_count; i++)
+		if (!isfinite(mesh->texcoords.at[face->first_corner + i].s) ||
+			!isfinite(mesh->texcoords.at[face->first_corner + i].t))
+			abort();
+}
+
+static void
+check_images(const struct mesh_file *mesh, uint64_t limit)
+{
+	if (mesh->bytes.count > limit)
+		abort();
+	for (size_t i = 0; i < mesh->images.count; i++) {
+		const struct mesh_image *image = &mesh->images.at[i];
+
+		if (image->uri >= mesh->names.count ||
+			image->mime >= mesh->names.count ||
+			image->first_byte > mesh->bytes.count ||
+			image->byte_count >
+				mesh->bytes.count - image->first_byte)
+			abort();
+	}
+}
 
 static void
 check(const struct mesh_file *mesh, uint64_t limit)
@@ -17,14 +55,15 @@ check(const struct mesh_file *mesh, uint64_t limit)
 	for (size_t i = 0; i < mesh->faces.count; i++) {
 		const struct mesh_face *face = &mesh->faces.at[i];
 
-		if (face->first_corner != corners || face->corner_count < 3 ||
-			(face->material != TCS_NONE &&
-				face->material >= mesh->materials.count))
+		if (face->first_corner != corners)
 			abort();
+		check_face(mesh, face);
 		corners += face->corner_count;
 	}
-	if (corners > mesh->corners.count)
+	if (corners > mesh->corners.count ||
+		mesh->texcoords.count != mesh->corners.count)
 		abort();
+	check_images(mesh, limit);
 	for (size_t i = 0; i < corners; i++)
 		if (mesh->corners.at[i] >= mesh->points.count)
 			abort();
