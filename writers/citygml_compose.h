@@ -114,6 +114,7 @@ struct face {
 struct surface {
 	const char *id; /* NULL: none needed */
 	bool is_target;
+	bool in_parts; /* a material paints some of it only */
 };
 
 /* A paint's material, or its texture. */
@@ -501,6 +502,15 @@ struct gml_material gml_material_at(struct composer *composer, uint32_t index);
 struct gml_image gml_image_at(struct composer *composer, uint32_t index);
 
 /* ---- citygml_paint_order.c, citygml_paints.c ----------------------------- */
+
+/* Once the surfaces are clear: those that a material paints in part. */
+enum tcs_status paints_find_parts(
+	struct composer *composer, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Where a geometry may be of any kind, such a surface becomes polygons, which
+ * have ids. */
+enum tcs_status paints_break_surface(struct composer *composer, uint32_t index,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /* Which polygons, rings and surfaces need ids for being painted. */
 enum tcs_status paints_prepare(

@@ -223,11 +223,12 @@ place_prototype(struct composer *composer, struct tcs_fault *fault)
 	const struct tcs_object *object = &composer->object;
 	enum tcs_status status = pieces_clear(composer, fault);
 
-	if (status)
-		return status;
-	for (uint32_t i = 0; i < object->geometries.count; i++) {
+	if (!status)
+		status = paints_find_parts(composer, fault);
+	for (uint32_t i = 0; i < object->geometries.count && !status; i++) {
 		const struct tcs_geometry *geometry = &object->geometries.at[i];
 
+		status = paints_break_surface(composer, i, fault);
 		for (uint32_t j = 0; j < geometry->polygon_count; j++) {
 			uint32_t polygon = geometry->first_polygon + j;
 
@@ -235,7 +236,8 @@ place_prototype(struct composer *composer, struct tcs_fault *fault)
 			composer->owners.at[polygon] = i;
 		}
 	}
-	status = pieces_find_repetitions(composer, fault);
+	if (!status)
+		status = pieces_find_repetitions(composer, fault);
 	if (!status)
 		status = paints_prepare(composer, fault);
 	return status ? status : pieces_name(composer, fault);

@@ -326,11 +326,15 @@ place_geometry_at(struct composer *composer, uint32_t index, uint32_t feature,
 		geometry->kind == TCS_MULTI_POINT || lod > 4 ||
 		(lod < 2 && (geometry->flags & TCS_GEOMETRY_SIMPLIFIED)) ||
 		feature >= composer->object.features.count;
-	enum tcs_status status;
+	struct node *node = &composer->nodes.at[feature];
+	enum tcs_status status = TCS_OK;
 
-	composer->nodes.at[feature].taken |= (uint64_t)1 << property;
-	status = item_add(
-		composer, feature, property, ITEM_GEOMETRY, index, fault);
+	node->taken |= (uint64_t)1 << property;
+	if (node->class->properties[property].content != CONTENT_TIN)
+		status = paints_break_surface(composer, index, fault);
+	if (!status)
+		status = item_add(composer, feature, property, ITEM_GEOMETRY,
+			index, fault);
 	for (uint32_t i = 0; i < geometry->polygon_count && !status; i++) {
 		composer->owners.at[geometry->first_polygon + i] = index;
 		status = place_polygon(composer, geometry->first_polygon + i,
@@ -512,6 +516,8 @@ place_items(struct composer *composer, struct tcs_fault *fault)
 
 	if (!status)
 		status = pieces_clear(composer, fault);
+	if (!status)
+		status = paints_find_parts(composer, fault);
 	if (!status)
 		status = values_place(composer, fault);
 	for (uint32_t i = 0; i < object->geometries.count && !status; i++)

@@ -235,7 +235,7 @@ corpus_comes_back() {
 	awk -F'\t' 'NF == 3 { seen[$1 " " $2]++ }
 		END { for (i in seen) print seen[i], i }' table |
 		sort -k2 >"$tests_folder/counts"
-	cut -f1 "$ROOT/tests/roundtrip-differences.tsv" | grep -v '^#' >known
+	sed '/^#/d; s/\t.*//' "$ROOT/tests/roundtrip-differences.tsv" >known
 	! grep -A4 -P '^\d\.\d\t(?!equal\t)' table | grep -v -F -f known |
 		grep -P '^\d\.\d\t(?!equal\t)' || {
 		cat table
