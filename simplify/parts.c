@@ -241,6 +241,37 @@ sort_links(struct search *search)
 	return TCS_OK;
 }
 
+/* Each of the links of a part once. */
+static enum tcs_status
+drop_repeated_links(struct search *search)
+{
+	struct parts *parts = search->parts;
+	uint32_t *seen = malloc((parts->count + 1) * sizeof *seen);
+	uint32_t kept = 0;
+
+	if (!seen)
+		return fault_memory(search->fault);
+	for (size_t i = 0; i < parts->count; i++)
+		seen[i] = TCS_NONE;
+	for (uint32_t i = 0; i < parts->count; i++) {
+		uint32_t link = parts->at.at[i].first_link;
+		uint32_t end = parts->at.at[i + 1].first_link;
+
+		parts->at.at[i].first_link = kept;
+		for (; link < end; link++) {
+			uint32_t other = parts->links.at[link];
+
+			if (seen[other] != i)
+				parts->links.at[kept++] = other;
+			seen[other] = i;
+		}
+	}
+	parts->at.at[parts->count].first_link = kept;
+	parts->links.count = kept;
+	free(seen);
+	return TCS_OK;
+}
+
 /* ---- standing ------------------------------------------------------------ */
 
 static void
@@ -381,6 +412,8 @@ parts_find(struct parts *parts, const struct component_set *set,
 		status = link_enclosed(&search, contacts);
 	if (!status)
 		status = sort_links(&search);
+	if (!status)
+		status = drop_repeated_links(&search);
 	return status ? status : find_standing(&search, reach);
 }
 

@@ -39,7 +39,7 @@ struct parts {
 	size_t count;
 	TCS_ARRAY(uint32_t) faces; /* part by part */
 	TCS_ARRAY(uint32_t) numbers; /* per face: its part */
-	TCS_ARRAY(uint32_t) links; /* parts, by part; one may come twice */
+	TCS_ARRAY(uint32_t) links; /* parts, by part */
 	TCS_ARRAY(uint32_t) left; /* per component: parts that are there */
 	TCS_ARRAY(uint32_t) enclosed; /* per component: contacts of the kind */
 	TCS_ARRAY(uint32_t) pairs; /* scratch: two parts per link */
