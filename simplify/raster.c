@@ -5,8 +5,6 @@
 
 #include "vector.h"
 
-enum { SHORT_ROW = 8 }; /* pixels; of shorter ones, each is looked at */
-
 static struct tcs_point
 unit(struct tcs_point a)
 {
@@ -101,75 +99,95 @@ greater(double a, double b)
 	return a > b ? a : b;
 }
 
-/* Of one side of a triangle: its ends in y, and where it is at a height y. */
-struct side {
-	double low, high;
-	double x, y, slope;
+/* What is linear over the picture: at + x · X + y · Y, in pixels. */
+struct linear {
+	double at, x, y;
 };
 
+/* 0 along one side of a triangle, 1 at the corner across. */
+static struct linear
+linear_from(const struct spot *a, const struct spot *b, double whole)
+{
+	double x = (a->y - b->y) / whole, y = (b->x - a->x) / whole;
+
+	return (struct linear){-(x * a->x + y * a->y), x, y};
+}
+
+/* Where one side of a triangle is in a row: in pixels, linear in y; the
+   triangle is on its right or on its left. */
+struct side {
+	double at, slope;
+	bool is_left;
+};
+
+/* A level one leaves the rows as they are. */
 static struct side
-side_of(const struct spot *a, const struct spot *b)
+side_of(const struct linear *inside)
 {
-	return (struct side){.low = lesser(a->y, b->y),
-		.high = greater(a->y, b->y),
-		.x = a->x,
-		.y = a->y,
-		.slope = (b->x - a->x) / (b->y - a->y)};
+	if (!(fabs(inside->x) > 0))
+		return (struct side){-INFINITY, 0, true};
+	return (struct side){-inside->at / inside->x - 0.5,
+		-inside->y / inside->x, inside->x > 0};
 }
 
-/* The pixels of a row, at y, that a triangle may cover: one more at each end,
-   for rounding. */
-static void
-row_range(const struct side sides[3], double y, double left, double right,
-	unsigned size, int *first, int *last)
-{
-	double low = right, high = left;
-
-	for (int i = 0; i < 3; i++) {
-		double x = sides[i].x + sides[i].slope * (y - sides[i].y);
-
-		if (y < sides[i].low || y > sides[i].high)
-			continue;
-		low = x > left ? lesser(low, x) : left; /* level: NaN */
-		high = x < right ? greater(high, x) : right;
-	}
-	pixel_range(greater(low - 1, left), lesser(high + 1, right), size,
-		first, last);
-}
-
-/* A triangle in pixels; u, v, w are barycentric at the middle of a pixel. */
-struct drawn {
-	const struct spot *a, *b, *c;
-	double inverse; /* 1 / twice its area */
-	double u_step, v_step; /* from a pixel to the next on its right */
+/* A run of pixels of one row. */
+struct run {
+	float *nearness;
+	uint32_t *triangles;
+	float first, step; /* of the nearness */
 	uint32_t number;
 };
 
 static void
-draw_row(struct raster *raster, const struct drawn *drawn, int y, int first,
-	int last)
+draw_run(const struct run *run, int count)
 {
-	size_t row = (size_t)y * raster->size;
-	double x = first + 0.5, middle = y + 0.5;
-	double u0 = turn(drawn->b, drawn->c, x, middle) * drawn->inverse;
-	double v0 = turn(drawn->c, drawn->a, x, middle) * drawn->inverse;
+	for (int i = 0; i < count; i++) {
+		float now = run->first + (float)i * run->step;
 
-	for (int i = first; i <= last; i++) {
-		double u = u0 + (i - first) * drawn->u_step;
-		double v = v0 + (i - first) * drawn->v_step;
-		double w = 1 - u - v;
-		size_t at = row + (size_t)i;
-		float nearness;
-
-		if (u < 0 || v < 0 || w < 0)
+		if (now <= run->nearness[i])
 			continue;
-		nearness = (float)(u * drawn->a->nearness +
-			v * drawn->b->nearness + w * drawn->c->nearness);
-		if (nearness <= raster->nearness[at])
-			continue;
-		raster->nearness[at] = nearness;
-		raster->triangles[at] = drawn->number;
+		run->nearness[i] = now;
+		run->triangles[i] = run->number;
 	}
+}
+
+/* A triangle in pixels. */
+struct drawn {
+	struct side sides[3];
+	struct linear nearness;
+	uint32_t number;
+};
+
+static void
+draw_row(struct raster *raster, const struct drawn *drawn, int row)
+{
+	const struct linear *nearness = &drawn->nearness;
+	double low = 0, high = raster->size - 1, y = row + 0.5;
+	int first, last;
+	size_t at;
+
+	for (int i = 0; i < 3; i++) {
+		double x = drawn->sides[i].at + drawn->sides[i].slope * y;
+
+		if (drawn->sides[i].is_left)
+			low = greater(low, x);
+		else
+			high = lesser(high, x);
+	}
+	if (!(low <= high))
+		return;
+	last = (int)high;
+	first = (int)low;
+	first += first < low;
+	at = (size_t)row * raster->size + (size_t)first;
+	if (first <= last)
+		draw_run(&(struct run){raster->nearness + at,
+				 raster->triangles + at,
+				 (float)(nearness->at +
+					 (first + 0.5) * nearness->x +
+					 y * nearness->y),
+				 (float)nearness->x, drawn->number},
+			last - first + 1);
 }
 
 static void
@@ -177,37 +195,25 @@ draw_triangle(struct raster *raster, const struct spot *a, const struct spot *b,
 	const struct spot *c, uint32_t number)
 {
 	double whole = turn(a, b, c->x, c->y);
-	double left = lesser(a->x, lesser(b->x, c->x));
-	double right = greater(a->x, greater(b->x, c->x));
-	struct drawn drawn = {.a = a,
-		.b = b,
-		.c = c,
-		.inverse = 1 / whole,
-		.u_step = (b->y - c->y) / whole,
-		.v_step = (c->y - a->y) / whole,
-		.number = number};
-	struct side sides[3];
-	int first, last, top, bottom;
-	bool wide;
+	double near_u = a->nearness - c->nearness;
+	double near_v = b->nearness - c->nearness;
+	struct linear u = linear_from(b, c, whole);
+	struct linear v = linear_from(c, a, whole);
+	struct linear w = linear_from(a, b, whole);
+	struct drawn drawn = {{side_of(&u), side_of(&v), side_of(&w)},
+		{c->nearness + u.at * near_u + v.at * near_v,
+			u.x * near_u + v.x * near_v,
+			u.y * near_u + v.y * near_v},
+		number};
+	int top, bottom;
 
 	if (!(fabs(whole) > 0))
 		return;
-	pixel_range(left, right, raster->size, &first, &last);
 	pixel_range(lesser(a->y, lesser(b->y, c->y)),
 		greater(a->y, greater(b->y, c->y)), raster->size, &top,
 		&bottom);
-	if (first > last || top > bottom)
-		return;
-	wide = last - first >= SHORT_ROW;
-	sides[0] = side_of(a, b);
-	sides[1] = side_of(b, c);
-	sides[2] = side_of(c, a);
-	for (int y = top; y <= bottom; y++) {
-		if (wide)
-			row_range(sides, y + 0.5, left, right, raster->size,
-				&first, &last);
-		draw_row(raster, &drawn, y, first, last);
-	}
+	for (int row = top; row <= bottom; row++)
+		draw_row(raster, &drawn, row);
 }
 
 static enum tcs_status
