@@ -22,56 +22,70 @@
 /* From where it is looked at: see visible.h. */
 #define LOWEST_VIEW (-0.1)
 
-enum { MOST_SAMPLES = 16, MOST_LINKS = 1000, VIEWS = 24, VIEW_SIZE = 512 };
+enum { MOST_SAMPLES = 16, MOST_LINKS = 1000, VIEWS = 24, VIEW_SIZE = 256 };
 
 /* ---- how far its surface is from what stays ------------------------------- */
 
-/* How far a point is from what stays of the parts that are linked to its own,
-   if that is not farther than it is long; INFINITY when none of them stays. */
-static double
-distance_left(const struct removals *removals, const struct part *own,
-	struct tcs_point from)
+/* How far the surface of a part is from what stays of those linked to it. */
+struct reaching {
+	const struct removals *removals;
+	const struct part *own;
+	uint32_t nearest; /* link: what was nearest to the last point */
+	double most; /* of the points so far; INFINITY: none of them stays */
+};
+
+/* A point that is not farther than another was does not matter. As far as the
+   part is long is as far as need be looked. */
+static void
+reach_from(struct reaching *reaching, struct tcs_point from)
 {
+	const struct removals *removals = reaching->removals;
 	const struct parts *parts = &removals->parts;
-	double least = box_diagonal(&own->box);
+	uint32_t first = reaching->own[0].first_link;
+	uint32_t count = reaching->own[1].first_link - first;
+	uint32_t begin = reaching->nearest;
+	double least = box_diagonal(&reaching->own->box);
 	bool any = false;
 
-	for (uint32_t i = own[0].first_link; i < own[1].first_link; i++) {
-		uint32_t other = parts->links.at[i];
+	for (uint32_t i = 0; i < count; i++) {
+		uint32_t link =
+			begin + i < count ? begin + i : begin + i - count;
+		uint32_t other = parts->links.at[first + link];
+		double distance;
 
 		if (parts->at.at[other].gone)
 			continue;
 		any = true;
-		least = fmin(least,
-			triangle_tree_nearest(&removals->tree,
-				removals->roots.at[other], from, least)
-				.distance);
+		distance = triangle_tree_nearest(
+			&removals->tree, removals->roots.at[other], from, least)
+				   .distance;
+		if (distance < least) {
+			least = distance;
+			reaching->nearest = link;
+		}
+		if (least <= reaching->most)
+			return;
 	}
-	return any ? least : INFINITY;
+	reaching->most = any ? least : INFINITY;
 }
 
 static double
 distance_of(const struct removals *removals, const struct part *own)
 {
 	const struct collapses *work = removals->work;
+	struct reaching reaching = {.removals = removals, .own = own};
 	uint32_t step = own->count / MOST_SAMPLES + 1;
-	double most = 0;
 
 	for (uint32_t i = 0; i < own->count; i += step) {
 		uint32_t face = removals->parts.faces.at[own->first + i];
 		struct triangle_shape shape = component_set_shape(
 			work->set, work->sheets->face_triangles.at[face]);
-		struct tcs_point middle = vector_scaled(
-			vector_sum(shape.corner[0],
-				vector_sum(shape.corner[1], shape.corner[2])),
-			1.0 / 3);
 
-		most = fmax(most, distance_left(removals, own, middle));
+		reach_from(&reaching, triangle_centre(&shape));
 		for (int k = 0; k < 3; k++)
-			most = fmax(most,
-				distance_left(removals, own, shape.corner[k]));
+			reach_from(&reaching, shape.corner[k]);
 	}
-	return most;
+	return reaching.most;
 }
 
 /* ---- what breaks --------------------------------------------------------- */
