@@ -53,19 +53,20 @@ box_of_block(const struct box_block *block)
 static inline unsigned
 block_meets(const struct box_block *block, const struct float_box *box)
 {
-	int32_t meets[BLOCK_BOXES];
-	unsigned bits = 0;
+	static const int32_t place[BLOCK_BOXES] = {1, 2, 4, 8, 16, 32, 64, 128};
+	int32_t bits = 0;
 
-	for (int k = 0; k < BLOCK_BOXES; k++)
-		meets[k] = (block->low[0][k] <= box->high[0]) &
+	for (int k = 0; k < BLOCK_BOXES; k++) {
+		int32_t meets = (block->low[0][k] <= box->high[0]) &
 			(block->high[0][k] >= box->low[0]) &
 			(block->low[1][k] <= box->high[1]) &
 			(block->high[1][k] >= box->low[1]) &
 			(block->low[2][k] <= box->high[2]) &
 			(block->high[2][k] >= box->low[2]);
-	for (int k = 0; k < BLOCK_BOXES; k++)
-		bits |= (unsigned)meets[k] << k;
-	return bits;
+
+		bits |= -meets & place[k];
+	}
+	return (unsigned)bits;
 }
 
 static size_t

@@ -14,6 +14,7 @@
 
 #define PARALLEL 0.9998 /* cosine, about a degree */
 #define ROUNDING 1e-5 /* of a normal in single precision */
+#define TURN 0.021 /* of a coordinate of a normal from that of a parallel one */
 
 /* A triangle clipped by the three sides of another has so many corners. */
 enum { CLIPPED = 6 };
@@ -253,23 +254,81 @@ visit(struct search *search, const struct overlap_face *there)
 	return judge(search, &search->own, &other);
 }
 
+/* ---- ways to look --------------------------------------------------------- */
+
+/* The bin of a coordinate of a normal. */
+static unsigned
+bin_of(double at)
+{
+	double bin = (at + 1) / 2 * OVERLAP_BINS;
+
+	return bin < 0			 ? 0
+		: bin < OVERLAP_BINS - 1 ? (unsigned)bin
+					 : OVERLAP_BINS - 1;
+}
+
+static unsigned
+way_in(const unsigned bins[3])
+{
+	return (bins[0] * OVERLAP_BINS + bins[1]) * OVERLAP_BINS + bins[2];
+}
+
+static unsigned
+way_of(const struct overlap_face *face)
+{
+	unsigned bins[3];
+
+	for (int i = 0; i < 3; i++)
+		bins[i] = bin_of((double)face->normal[i]);
+	return way_in(bins);
+}
+
+/* All pairs of one face with those that look one way. */
+static enum tcs_status
+visit_way(struct search *search, unsigned way, const struct float_box *box)
+{
+	struct overlaps *overlaps = search->overlaps;
+	enum tcs_status status;
+
+	if (overlaps->runs[way] == TCS_NONE)
+		return TCS_OK;
+	status = face_boxes_near(&overlaps->boxes, overlaps->runs[way], box,
+		&overlaps->near, search->fault);
+	for (size_t i = 0; !status && i < overlaps->near.count; i++)
+		status = visit(
+			search, &overlaps->faces.at[overlaps->near.at[i]]);
+	return status;
+}
+
 /* All pairs of one face. */
 static enum tcs_status
 visit_near(struct search *search)
 {
-	struct overlaps *overlaps = search->overlaps;
+	struct tcs_point normal = search->own.normal;
+	const double at[3] = {normal.x, normal.y, normal.z};
 	struct box bounds = box_of(&search->own.shape);
 	struct float_box box = float_box_around(
 		(struct tcs_point){bounds.low[0], bounds.low[1], bounds.low[2]},
 		(struct tcs_point){
 			bounds.high[0], bounds.high[1], bounds.high[2]},
 		SUNK);
-	enum tcs_status status = face_boxes_near(
-		&overlaps->boxes, 0, &box, &overlaps->near, search->fault);
+	enum tcs_status status = TCS_OK;
 
-	for (size_t i = 0; !status && i < overlaps->near.count; i++)
-		status = visit(
-			search, &overlaps->faces.at[overlaps->near.at[i]]);
+	/* Each coordinate lies in one bin or near the next. */
+	for (unsigned corner = 0; !status && corner < 8; corner++) {
+		unsigned bins[3];
+		bool repeated = false;
+
+		for (int i = 0; i < 3; i++) {
+			unsigned low = bin_of(at[i] - TURN);
+
+			bins[i] = bin_of(at[i] + TURN);
+			repeated |= corner >> i & 1 && bins[i] == low;
+			bins[i] = corner >> i & 1 ? bins[i] : low;
+		}
+		if (!repeated)
+			status = visit_way(search, way_in(bins), &box);
+	}
 	return status;
 }
 
@@ -321,36 +380,93 @@ begin(struct overlaps *overlaps, const struct collapses *work,
 	return TCS_OK;
 }
 
-static enum tcs_status
-grow_boxes(struct overlaps *overlaps, const struct collapses *work,
-	struct tcs_fault *fault)
+/* The faces that are left, and how many look each way. */
+static void
+list_faces(struct overlaps *overlaps, const struct collapses *work,
+	size_t counts[OVERLAP_WAYS])
 {
 	size_t faces = work->sheets->face_triangles.count;
-	struct float_box *own = calloc(work->face_count + 1, sizeof *own);
-	uint32_t *places = calloc(work->face_count + 1, sizeof *places);
-	enum tcs_status status = TCS_OK;
 
-	if (!own || !places)
-		status = fault_memory(fault);
-	for (uint32_t i = 0; !status && i < faces; i++) {
+	for (uint32_t i = 0; i < faces; i++) {
 		struct plate plate;
-		size_t count = overlaps->faces.count;
+		struct overlap_face *face =
+			&overlaps->faces.at[overlaps->faces.count];
 
 		overlaps->changed.at[i] = false;
 		if (!load_plate(work, i, &plate))
 			continue;
 		overlaps->changed.at[i] = is_changed(work, i, plate.nodes);
-		own[count] = float_box_of(&plate.shape);
-		places[count] = (uint32_t)count;
-		overlaps->faces.at[overlaps->faces.count++] =
-			(struct overlap_face){i,
-				{(float)plate.normal.x, (float)plate.normal.y,
-					(float)plate.normal.z}};
+		*face = (struct overlap_face){i,
+			{(float)plate.normal.x, (float)plate.normal.y,
+				(float)plate.normal.z}};
+		counts[way_of(face)]++;
+		overlaps->faces.count++;
 	}
-	if (!status)
-		status = face_boxes_add(&overlaps->boxes, places, own,
-			overlaps->faces.count, fault);
-	free(own);
+}
+
+/* Their boxes, those that look the same way together. */
+static void
+sort_boxes(const struct overlaps *overlaps, const struct collapses *work,
+	const size_t counts[OVERLAP_WAYS], uint32_t *places,
+	struct float_box *boxes)
+{
+	size_t ends[OVERLAP_WAYS], end = 0;
+
+	for (unsigned way = 0; way < OVERLAP_WAYS; way++) {
+		ends[way] = end;
+		end += counts[way];
+	}
+	for (uint32_t i = 0; i < overlaps->faces.count; i++) {
+		const struct overlap_face *face = &overlaps->faces.at[i];
+		size_t place = ends[way_of(face)]++;
+		struct triangle_shape shape = {0};
+		uint32_t nodes[3];
+
+		if (collapses_face(work, face->face, nodes))
+			for (int k = 0; k < 3; k++)
+				shape.corner[k] = work->positions.at[nodes[k]];
+		places[place] = i;
+		boxes[place] = float_box_of(&shape);
+	}
+}
+
+static enum tcs_status
+add_ways(struct overlaps *overlaps, const size_t counts[OVERLAP_WAYS],
+	const uint32_t *places, const struct float_box *boxes,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+	size_t first = 0;
+
+	for (unsigned way = 0; !status && way < OVERLAP_WAYS; way++) {
+		overlaps->runs[way] = TCS_NONE;
+		if (!counts[way])
+			continue;
+		overlaps->runs[way] = (uint32_t)overlaps->boxes.runs.count;
+		status = face_boxes_add(&overlaps->boxes, places + first,
+			boxes + first, counts[way], fault);
+		first += counts[way];
+	}
+	return status;
+}
+
+static enum tcs_status
+grow_boxes(struct overlaps *overlaps, const struct collapses *work,
+	struct tcs_fault *fault)
+{
+	struct float_box *boxes = calloc(work->face_count + 1, sizeof *boxes);
+	uint32_t *places = calloc(work->face_count + 1, sizeof *places);
+	size_t counts[OVERLAP_WAYS] = {0};
+	enum tcs_status status = TCS_OK;
+
+	if (!boxes || !places)
+		status = fault_memory(fault);
+	if (!status) {
+		list_faces(overlaps, work, counts);
+		sort_boxes(overlaps, work, counts, places, boxes);
+		status = add_ways(overlaps, counts, places, boxes, fault);
+	}
+	free(boxes);
 	free(places);
 	return status;
 }

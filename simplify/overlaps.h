@@ -25,12 +25,20 @@ struct overlap_face {
 	float normal[3]; /* of length 1 */
 };
 
+/* Faces are kept apart by the way they look: bins along each axis, an odd
+   number so that those that are level or upright lie in the middle of one. */
+enum {
+	OVERLAP_BINS = 5,
+	OVERLAP_WAYS = OVERLAP_BINS * OVERLAP_BINS * OVERLAP_BINS
+};
+
 /* All zero is empty; reused from object to object. */
 struct overlaps {
 	size_t parted; /* pairs of faces */
 	TCS_ARRAY(struct overlap_face) faces;
 	TCS_ARRAY(bool) changed; /* per face */
-	struct face_boxes boxes; /* one run: places in `faces` */
+	struct face_boxes boxes; /* of places in `faces` */
+	uint32_t runs[OVERLAP_WAYS]; /* of `boxes`; TCS_NONE */
 	struct face_list near; /* scratch */
 	TCS_ARRAY(struct tcs_point) shifts; /* per node */
 	struct triangle_tree
