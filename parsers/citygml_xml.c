@@ -18,16 +18,17 @@ plain(const xmlChar *text)
 
 /* Which CityGML the root or its namespace declarations speak of. */
 static void
-xml_find_version(struct xml_parser *parser, const xmlChar *local,
-	const xmlChar *uri, int count, const xmlChar **namespaces)
+xml_find_version(struct xml_parser *parser, const struct spelling *root)
 {
-	const char *version = names_version(plain(uri));
+	const struct namespaces *namespaces = &parser->namespaces;
+	const char *uri = namespace_find(namespaces, root->prefix);
+	const char *version = names_version(uri);
 
 	parser->began = true;
-	if (uri && !version && !strcmp(plain(local), "CityModel"))
-		parser->names->adopted = plain(uri);
-	for (int i = 0; !version && i < count; i++)
-		version = names_version(plain(namespaces[2 * i + 1]));
+	if (uri && !version && !strcmp(root->local, "CityModel"))
+		parser->names->adopted = uri;
+	for (size_t i = 0; !version && i < namespaces->bindings.count; i++)
+		version = names_version(namespaces->bindings.at[i].uri);
 	if (!version)
 		return;
 	parser->names->spelled = version;
@@ -35,25 +36,51 @@ xml_find_version(struct xml_parser *parser, const xmlChar *local,
 }
 
 static enum tcs_status
-xml_take_attributes(
-	struct xml_parser *parser, int count, const xmlChar **attributes)
+xml_declare(struct xml_parser *parser, const struct spelling *spelling,
+	const char *value)
+{
+	return namespace_declare(&parser->namespaces, spelling, value,
+		parser->depth, &parser->fault);
+}
+
+/* Names and values by turns, and NULL in the end. */
+static enum tcs_status
+xml_take_attributes(struct xml_parser *parser, const xmlChar **given)
 {
 	parser->attributes.count = 0;
-	if (array_grow(&parser->attributes, (size_t)count))
-		return fault_memory(&parser->fault);
-	for (int i = 0; i < count; i++) {
-		const xmlChar **five = attributes + (size_t)i * 5;
+	for (; given && *given; given += 2) {
+		const struct spelling *spelling =
+			spelling_find(&parser->namespaces, plain(given[0]));
+		const char *value = plain(given[1]);
 
-		parser->attributes.at[i] = (struct xml_attribute){
-			.local = plain(five[0]),
-			.prefix = plain(five[1]),
-			.uri = plain(five[2]),
-			.value = plain(five[3]),
-			.length = (size_t)(five[4] - five[3]),
-		};
+		if (!spelling || array_grow(&parser->attributes, 1))
+			return fault_memory(&parser->fault);
+		if (!spelling_declares(spelling))
+			parser->attributes.at[parser->attributes.count++] =
+				(struct xml_attribute){
+					.local = spelling->local,
+					.prefix = spelling->prefix,
+					.value = value,
+					.length = strlen(value),
+				};
+		else if (xml_declare(parser, spelling, value))
+			return parser->fault.status;
 	}
-	parser->attributes.count = (size_t)count;
 	return TCS_OK;
+}
+
+static enum tcs_status
+xml_take_name(
+	struct xml_parser *parser, const char *spelled, struct name **name)
+{
+	struct spelling *spelling = spelling_find(&parser->namespaces, spelled);
+
+	if (!spelling)
+		return fault_memory(&parser->fault);
+	if (!parser->began)
+		xml_find_version(parser, spelling);
+	*name = spelling_mean(&parser->namespaces, parser->names, spelling);
+	return *name ? TCS_OK : fault_memory(&parser->fault);
 }
 
 static enum tcs_status
@@ -66,16 +93,13 @@ xml_too_deep(struct xml_parser *parser)
 }
 
 static void
-xml_start(void *user, const xmlChar *local, const xmlChar *prefix,
-	const xmlChar *uri, int namespace_count, const xmlChar **namespaces,
-	int attribute_count, int defaulted, const xmlChar **attributes)
+xml_start(void *user, const xmlChar *spelled, const xmlChar **attributes)
 {
 	struct xml_parser *parser = user;
 	enum tcs_status status;
 	struct name *name;
 	bool skip = false;
 
-	(void)defaulted;
 	if (parser->status)
 		return;
 	if (++parser->depth > parser->limits->depth) {
@@ -86,13 +110,9 @@ xml_start(void *user, const xmlChar *local, const xmlChar *prefix,
 		parser->skipped++;
 		return;
 	}
-	if (!parser->began)
-		xml_find_version(
-			parser, local, uri, namespace_count, namespaces);
-	name = names_find(
-		parser->names, plain(local), plain(prefix), plain(uri));
-	status = name ? xml_take_attributes(parser, attribute_count, attributes)
-		      : fault_memory(&parser->fault);
+	status = xml_take_attributes(parser, attributes);
+	if (!status)
+		status = xml_take_name(parser, plain(spelled), &name);
 	if (!status)
 		status = parser->handler->start(parser->handler->context, name,
 			parser->attributes.at, parser->attributes.count, &skip,
@@ -103,17 +123,15 @@ xml_start(void *user, const xmlChar *local, const xmlChar *prefix,
 }
 
 static void
-xml_end(void *user, const xmlChar *local, const xmlChar *prefix,
-	const xmlChar *uri)
+xml_end(void *user, const xmlChar *spelled)
 {
 	struct xml_parser *parser = user;
 	enum tcs_status status;
 
-	(void)local;
-	(void)prefix;
-	(void)uri;
+	(void)spelled;
 	if (parser->status)
 		return;
+	namespaces_leave(&parser->namespaces, parser->depth);
 	parser->depth--;
 	if (parser->skipped) {
 		parser->skipped--;
@@ -200,6 +218,12 @@ xml_malformed(struct xml_parser *parser, const xmlError *error)
 		error && error->message ? error->message : "not well-formed";
 	int line = error ? error->line : 1;
 
+	/* libxml2 does not say here on which line the element began. */
+	if (error && error->code == XML_ERR_TAG_NAME_MISMATCH && error->str1 &&
+		error->str2)
+		return fault_set(&parser->fault, TCS_BAD_INPUT, TCS_NOWHERE,
+			"line %d: not well-formed XML: %.60s ends as %.60s",
+			line, error->str1, error->str2);
 	return fault_set(&parser->fault, TCS_BAD_INPUT, TCS_NOWHERE,
 		"line %d: not well-formed XML: %.*s", line,
 		(int)strcspn(text, "\n"), text);
@@ -210,31 +234,37 @@ xml_malformed(struct xml_parser *parser, const xmlError *error)
  * of a piece; that a piece ends within an element is none.
  */
 static void
-xml_error(void *user, xmlErrorPtr error)
+xml_error(void *user, const char *format, ...)
 {
 	struct xml_parser *parser = user;
+	const xmlError *error = xmlCtxtGetLastError(parser->context);
 
-	if (!parser->in_piece || parser->malformed || parser->status ||
-		error->level < XML_ERR_FATAL ||
+	(void)format;
+	if (!error || !parser->in_piece || parser->malformed ||
+		parser->status || error->level < XML_ERR_FATAL ||
 		error->code == XML_ERR_TAG_NOT_FINISHED)
 		return;
 	parser->malformed = xml_malformed(parser, error) != TCS_OK;
 }
 
+/*
+ * The first version of libxml2's events, with names as they are spelled: then
+ * it looks one name up for each element, not two.
+ */
 xmlSAXHandler
 xml_callbacks(void)
 {
 	return (xmlSAXHandler){
-		.initialized = XML_SAX2_MAGIC,
-		.startElementNs = xml_start,
-		.endElementNs = xml_end,
+		.initialized = 1,
+		.startElement = xml_start,
+		.endElement = xml_end,
 		.characters = xml_text,
 		.ignorableWhitespace = xml_text,
 		.cdataBlock = xml_text,
 		.getEntity = xml_entity,
 		.entityDecl = xml_entity_declared,
 		.attributeDecl = xml_attribute_declared,
-		.serror = xml_error,
+		.error = xml_error,
 	};
 }
 
@@ -264,6 +294,7 @@ xml_free(struct xml_parser *parser)
 		xmlFreeParserCtxt(parser->context);
 	}
 	array_release(&parser->attributes);
+	namespaces_release(&parser->namespaces);
 	array_release(&parser->held);
 	free(parser);
 }

@@ -18,7 +18,6 @@
 struct xml_attribute {
 	const char *local; /* interned */
 	const char *prefix; /* interned; NULL for none */
-	const char *uri; /* interned; NULL for none */
 	const char *value; /* not terminated */
 	size_t length;
 };

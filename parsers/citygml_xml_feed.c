@@ -88,8 +88,8 @@ xml_pending(const struct xml_parser *parser)
 	return input ? (size_t)(input->end - input->cur) : 0;
 }
 
-/* Values of attributes on one tag, which libxml2 compares each with each. */
-#define MAX_VALUES 20000
+/* Attributes on one tag, whose names libxml2 compares each with each. */
+#define MAX_VALUES 2000
 
 static void
 scan_bytes(struct tag_scan *scan, const char *at, size_t length)
@@ -143,7 +143,10 @@ xml_check_tag(struct xml_parser *parser, size_t length)
 static enum tcs_status
 xml_check_names(struct xml_parser *parser)
 {
-	if (xmlDictSize(parser->context->dict) <= MAX_NAMES)
+	xmlDictPtr parts = parser->namespaces.parts;
+
+	if (xmlDictSize(parser->context->dict) <= MAX_NAMES &&
+		(!parts || xmlDictSize(parts) <= MAX_NAMES))
 		return TCS_OK;
 	return fault_set(&parser->fault, TCS_LIMIT, TCS_NOWHERE,
 		"line %u: there are more than %d different names",

@@ -8,7 +8,12 @@
 #include <libxml/parser.h>
 
 #include "array.h"
+#include "citygml_namespaces.h"
 #include "citygml_xml.h"
+
+#ifndef LIBXML_SAX1_ENABLED
+#error "libxml2 must have its events of elements as they are spelled"
+#endif
 
 /* A start tag that is too long for one piece, seen from outside. */
 struct tag_scan {
@@ -21,6 +26,7 @@ struct xml_parser {
 	const struct xml_handler *handler;
 	const struct xml_limits *limits;
 	struct names *names;
+	struct namespaces namespaces;
 	xmlParserCtxtPtr context; /* made with the first bytes */
 	TCS_ARRAY(struct xml_attribute) attributes;
 	struct tcs_fault fault; /* the first failure */
