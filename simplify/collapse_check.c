@@ -44,16 +44,16 @@ staying_corners(const struct collapses *work, size_t count, size_t i,
 }
 
 static bool
-ring_shape(const struct collapses *work, size_t count, size_t i,
-	uint32_t target, struct triangle_shape *shape)
+ring_face_at(const struct collapses *work, size_t count, size_t i,
+	uint32_t target, struct ring_face *out)
 {
-	const struct tcs_point *positions = work->positions.at;
-	uint32_t nodes[2];
-
-	if (!staying_corners(work, count, i, target, nodes))
+	if (!staying_corners(work, count, i, target, out->nodes + 1))
 		return false;
-	*shape = (struct triangle_shape){
-		{positions[target], positions[nodes[0]], positions[nodes[1]]}};
+	out->face = work->spokes.at[i].face;
+	out->nodes[0] = target;
+	for (int k = 0; k < 3; k++)
+		out->shape.corner[k] = work->positions.at[out->nodes[k]];
+	out->normal = triangle_normal(&out->shape);
 	return true;
 }
 
@@ -91,7 +91,8 @@ is_sound(const struct collapses *work, const struct ring_face *after,
 	return height >= square_height(&before, triangle_normal(&before));
 }
 
-/* The faces of the ring that stay, once changed; *sound when all may be. */
+/* Append the faces of the ring that stay, once changed; *sound when all may
+   be. */
 static enum tcs_status
 change_ring(struct collapses *work, size_t count, uint32_t node,
 	uint32_t target, bool *sound, struct tcs_fault *fault)
@@ -99,16 +100,15 @@ change_ring(struct collapses *work, size_t count, uint32_t node,
 	struct tcs_point from = work->positions.at[node];
 
 	*sound = true;
-	work->ring.count = 0;
+	work->fan = work->ring.count;
 	if (array_grow(&work->ring, count))
 		return fault_memory(fault);
 	for (size_t i = 0; *sound && i < count; i++) {
 		struct ring_face *after = &work->ring.at[work->ring.count];
 
-		if (!ring_shape(work, count, i, target, &after->shape))
+		work->ring_is_open |= work->spokes.at[i].face == HALF_EDGE_NONE;
+		if (!ring_face_at(work, count, i, target, after))
 			continue;
-		after->face = work->spokes.at[i].face;
-		after->normal = triangle_normal(&after->shape);
 		*sound = is_sound(work, after, from);
 		work->ring.count++;
 	}
@@ -150,8 +150,8 @@ next_holder(const struct collapses *work, struct tcs_point point)
 {
 	struct holder best = {.square = INFINITY};
 
-	for (size_t i = 0; i < work->ring.count && best.square > NEAR_ENOUGH;
-		i++) {
+	for (size_t i = work->fan;
+		i < work->ring.count && best.square > NEAR_ENOUGH; i++) {
 		const struct ring_face *face = &work->ring.at[i];
 		double height = vector_dot(face->normal,
 			vector_difference(point, face->shape.corner[0]));
@@ -380,22 +380,76 @@ check_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 	return status;
 }
 
+/* ---- the node -------------------------------------------------------- */
+
+static bool
+has_twins(const struct collapses *work, uint32_t node)
+{
+	const struct sheet_node *fans = &work->sheets->nodes.at[node];
+
+	return fans[1].first_vertex - fans[0].first_vertex > 1;
+}
+
+/* Whether a face with these two nodes and the target is in the ring. */
+static bool
+is_in_ring(const struct collapses *work, uint32_t a, uint32_t b)
+{
+	for (size_t i = 0; i < work->ring.count; i++) {
+		const uint32_t *nodes = work->ring.at[i].nodes;
+
+		if ((nodes[1] == a && nodes[2] == b) ||
+			(nodes[1] == b && nodes[2] == a))
+			return true;
+	}
+	return false;
+}
+
+/* Whether no face of the ring gets the corners of one at the target: of
+   another sheet, for within one the link condition forbids it. */
+static enum tcs_status
+check_doubles(struct collapses *work, uint32_t node, uint32_t target,
+	bool *fine, struct tcs_fault *fault)
+{
+	const struct sheet_node *fans = &work->sheets->nodes.at[target];
+	enum tcs_status status = TCS_OK;
+	size_t count;
+
+	if (!has_twins(work, target))
+		return TCS_OK;
+	for (uint32_t v = fans[0].first_vertex;
+		!status && *fine && v < fans[1].first_vertex; v++) {
+		status = spokes_of(work, v, &count, fault);
+		for (size_t i = 0; !status && *fine && i < count; i++) {
+			uint32_t nodes[2];
+
+			*fine = !staying_corners(work, count, i, node, nodes) ||
+				!is_in_ring(work, nodes[0], nodes[1]);
+		}
+	}
+	return status;
+}
+
 enum tcs_status
 collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 	bool *fine, struct tcs_fault *fault)
 {
 	const struct sheet_node *fans = &work->sheets->nodes.at[node];
-	bool twins = fans[1].first_vertex - fans[0].first_vertex > 1;
+	bool twins = has_twins(work, node);
 	enum tcs_status status = TCS_OK;
 
 	*fine = true;
 	work->touched.count = work->moves.count = work->opened.count = 0;
-	work->leaving.count = work->apart.count = 0;
+	work->leaving.count = work->apart.count = work->ring.count = 0;
+	work->ring_is_open = false;
 	for (uint32_t v = fans[0].first_vertex;
 		!status && *fine && v < fans[1].first_vertex; v++)
 		status = check_vertex(work, v, target, twins, fine, fault);
 	*fine = !status && *fine && seams_hold(work) && surfaces_stay(work) &&
 		!is_pinched(work);
+	if (*fine)
+		status = check_doubles(work, node, target, fine, fault);
+	if (!status && *fine)
+		status = crossing_watch_allows(work, node, target, fine, fault);
 	return status;
 }
 
@@ -419,7 +473,7 @@ static enum tcs_status
 collapse_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 	struct tcs_fault *fault)
 {
-	uint32_t half_edge = HALF_EDGE_NONE, gone[2];
+	uint32_t half_edge = HALF_EDGE_NONE, gone[2], nodes[2];
 	struct watch_ring ring;
 	size_t count, faces;
 	enum tcs_status status = spokes_of(work, vertex, &count, fault);
@@ -431,6 +485,10 @@ collapse_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 		return status;
 	ring = (struct watch_ring){vertex, work->spokes.at, count, target};
 	error_watch_follow(work, &ring, 1, work->positions.at[target]);
+	for (size_t i = 0; i < count; i++)
+		if (staying_corners(work, count, i, target, nodes))
+			crossing_watch_follow(work, work->spokes.at[i].face,
+				work->positions.at[target]);
 	faces = half_edges_collapse(work->mesh, half_edge, gone);
 	work->face_count -= faces;
 	for (size_t i = 0; i < faces; i++)

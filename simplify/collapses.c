@@ -316,6 +316,8 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 			settings->max_error > 0 ? settings->max_error
 						: INFINITY,
 			set, sheets, fault);
+	if (!status)
+		status = crossing_watch_begin(&work->crossings, work, fault);
 	if (!status && settings->optimal)
 		status = placement_begin(work, fault);
 	if (status)
@@ -393,6 +395,7 @@ collapses_end(struct collapses *work)
 	array_release(&work->targets);
 	node_queue_release(&work->queue);
 	error_watch_release(&work->watch);
+	crossing_watch_release(&work->crossings);
 }
 
 void

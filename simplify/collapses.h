@@ -8,6 +8,7 @@
 #ifndef TESSERA_COLLAPSES_H
 #define TESSERA_COLLAPSES_H
 
+#include "crossing_watch.h"
 #include "error_watch.h"
 #include "half_edges.h"
 #include "node_queue.h"
@@ -26,6 +27,7 @@ struct collapse_settings {
 /* A face of the ring around a vertex that moves, as it will be. */
 struct ring_face {
 	uint32_t face;
+	uint32_t nodes[3];
 	struct triangle_shape shape; /* its first corner is where it moves */
 	struct tcs_point normal; /* twice the area long */
 };
@@ -55,13 +57,16 @@ struct collapses {
 	size_t face_count; /* left */
 	double ground; /* what is no higher stands on it, and goes no higher */
 	struct error_watch watch;
+	struct crossing_watch crossings;
 	struct node_queue queue;
 	TCS_ARRAY(struct spoke) spokes; /* scratch */
 	TCS_ARRAY(struct queue_entry) candidates; /* scratch */
 	/* What collapse_check found out: */
 	TCS_ARRAY(uint32_t) touched; /* the nodes around */
 	TCS_ARRAY(struct seam_move) moves;
-	TCS_ARRAY(struct ring_face) ring; /* scratch: of one vertex */
+	TCS_ARRAY(struct ring_face) ring; /* those that stay */
+	size_t fan; /* where in `ring` those of the last vertex begin */
+	bool ring_is_open; /* some vertex is on a rim */
 	TCS_ARRAY(uint32_t) apart; /* scratch: vertices, if there are twins */
 	TCS_ARRAY(uint32_t) leaving; /* scratch: surfaces, one per face */
 	TCS_ARRAY(uint32_t) opened; /* scratch: contacts, one per point */
@@ -149,8 +154,9 @@ double collapse_cost_at(
 	const struct collapses *work, uint32_t node, struct tcs_point place);
 
 /*
- * Whether it may be done: the mesh stays manifold, no face turns over or
- * becomes a sliver, the surface stays where it may be, and the seams hold.
+ * Whether it may be done: the mesh stays manifold, no face turns over, becomes
+ * a sliver or the same as another, nothing goes through anything that it did
+ * not, the surface stays where it may be, and the seams hold.
  * Fails with TCS_NO_MEMORY.
  */
 enum tcs_status collapse_check(struct collapses *work, uint32_t node,

@@ -2,6 +2,10 @@
 
 #include "vector.h"
 
+/* Metres: what reaches less far through a plane does not cross what lies in
+   it, but at angles under 6 degrees. */
+#define BARELY (CROSSING_DEPTH / 10)
+
 /* A triangle that edges may pass through. */
 struct target {
 	const struct triangle_shape *shape;
@@ -27,26 +31,39 @@ is_well_inside(const struct target *target, struct tcs_point point)
 	return true;
 }
 
+/* How high the corners of `other` are over the target. */
+static void
+find_heights(const struct target *target, const struct triangle_shape *other,
+	double height[3])
+{
+	for (int i = 0; i < 3; i++)
+		height[i] = vector_dot(target->normal,
+			vector_difference(
+				other->corner[i], target->shape->corner[0]));
+}
+
+/* Whether some are on the one side, and some on the other. */
+static bool
+are_on_both_sides(const double height[3])
+{
+	return (height[0] < -BARELY || height[1] < -BARELY ||
+		       height[2] < -BARELY) &&
+		(height[0] > BARELY || height[1] > BARELY ||
+			height[2] > BARELY);
+}
+
 /* Whether an edge of `by` passes through. */
 static bool
-is_pierced(const struct triangle_shape *shape, const struct triangle_shape *by)
+is_pierced(const struct target *target, const struct triangle_shape *by,
+	const double height[3])
 {
-	struct target target = {shape, triangle_normal(shape)};
-	double length = vector_length(target.normal), height[3];
-
-	if (!(length > 0))
-		return false;
-	target.normal = vector_scaled(target.normal, 1 / length);
-	for (int i = 0; i < 3; i++)
-		height[i] = vector_dot(target.normal,
-			vector_difference(by->corner[i], shape->corner[0]));
 	for (int i = 0; i < 3; i++) {
 		int k = (i + 1) % 3;
 		double least = height[i] < height[k] ? height[i] : height[k];
 		double most = height[i] < height[k] ? height[k] : height[i];
 
 		if (least < -CROSSING_DEPTH && most > CROSSING_DEPTH &&
-			is_well_inside(&target,
+			is_well_inside(target,
 				vector_along(by->corner[i],
 					vector_difference(
 						by->corner[k], by->corner[i]),
@@ -56,8 +73,47 @@ is_pierced(const struct triangle_shape *shape, const struct triangle_shape *by)
 	return false;
 }
 
+/* False where it has no normal. */
+static bool
+aim_at(const struct triangle_shape *shape, struct target *target)
+{
+	struct tcs_point normal = triangle_normal(shape);
+	double length = vector_length(normal);
+
+	if (!(length > 0))
+		return false;
+	*target = (struct target){shape, vector_scaled(normal, 1 / length)};
+	return true;
+}
+
+bool
+triangles_cross_along(const struct triangle_shape *a, struct tcs_point normal,
+	const struct triangle_shape *b)
+{
+	struct target target = {a, normal};
+	double height[3];
+
+	find_heights(&target, b, height);
+	if (!are_on_both_sides(height))
+		return false;
+	if (is_pierced(&target, b, height))
+		return true;
+	if (!aim_at(b, &target))
+		return false;
+	find_heights(&target, a, height);
+	return is_pierced(&target, a, height);
+}
+
 bool
 triangles_cross(const struct triangle_shape *a, const struct triangle_shape *b)
 {
-	return is_pierced(a, b) || is_pierced(b, a);
+	struct target target;
+	double height[3];
+
+	if (aim_at(a, &target))
+		return triangles_cross_along(a, target.normal, b);
+	if (!aim_at(b, &target))
+		return false;
+	find_heights(&target, a, height);
+	return is_pierced(&target, a, height);
 }

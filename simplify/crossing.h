@@ -17,4 +17,8 @@
 bool triangles_cross(
 	const struct triangle_shape *a, const struct triangle_shape *b);
 
+/* The same, for who has the normal of the first, of length 1. */
+bool triangles_cross_along(const struct triangle_shape *a,
+	struct tcs_point normal, const struct triangle_shape *b);
+
 #endif

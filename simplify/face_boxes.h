@@ -120,6 +120,11 @@ enum tcs_status face_boxes_add(struct face_boxes *boxes, const uint32_t *faces,
 	const struct float_box *own, size_t count,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* The box of face number `place` of a run, as `faces` has them, grows to hold
+   the point. */
+void face_boxes_grow(struct face_boxes *boxes, uint32_t run, uint32_t place,
+	struct tcs_point point);
+
 void face_boxes_clear(struct face_boxes *boxes);
 
 /* List the faces of a run whose boxes meet `box`, always in the same order.

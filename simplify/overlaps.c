@@ -493,6 +493,15 @@ move_nodes(struct overlaps *overlaps, struct collapses *work)
 	for (size_t i = 0; i < overlaps->shifts.count; i++)
 		work->positions.at[i] = vector_sum(
 			work->positions.at[i], overlaps->shifts.at[i]);
+	for (size_t i = 0; i < overlaps->faces.count; i++) {
+		struct plate plate;
+
+		if (!load_plate(work, overlaps->faces.at[i].face, &plate))
+			continue;
+		for (int k = 0; k < 3; k++)
+			crossing_watch_follow(
+				work, plate.face, plate.shape.corner[k]);
+	}
 }
 
 enum tcs_status

@@ -212,6 +212,10 @@ placement_do(struct collapses *work, uint32_t node, uint32_t target,
 		return collapse_do(work, node, target, fault);
 	load_rings(work, node, target, &rings);
 	error_watch_follow(work, rings.rings, 2, place);
+	for (int i = 0; i < 2; i++)
+		for (size_t k = 0; k < rings.rings[i].count; k++)
+			crossing_watch_follow(
+				work, rings.spokes[i][k].face, place);
 	work->positions.at[target] = place;
 	work->watch.paused = true;
 	status = collapse_do(work, node, target, fault);

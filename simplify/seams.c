@@ -29,7 +29,6 @@ struct piece {
 
 struct search {
 	struct touch_scene scene;
-	struct face_boxes boxes;
 	struct seams *seams;
 	struct contact_list *contacts;
 	struct piece *pieces;
@@ -246,7 +245,7 @@ clear(struct search *search)
 			(uint32_t)i;
 	search->scene.node_corners = search->corners.at;
 	return face_boxes_build(
-		&search->boxes, search->scene.set, sheets, search->fault);
+		&seams->boxes, search->scene.set, sheets, search->fault);
 }
 
 static void
@@ -255,7 +254,6 @@ search_release(struct search *search)
 	for (size_t i = 0; search->pieces && i < PIECES; i++)
 		touches_release(&search->pieces[i].touches);
 	free(search->pieces);
-	face_boxes_release(&search->boxes);
 	array_release(&search->corners);
 	array_release(&search->others);
 	array_release(&search->pairs);
@@ -275,7 +273,7 @@ seams_find(struct seams *seams, const struct component_set *set,
 	enum tcs_status status =
 		search.pieces ? clear(&search) : fault_memory(fault);
 
-	search.scene.boxes = &search.boxes;
+	search.scene.boxes = &seams->boxes;
 	for (uint32_t i = 0; !status && i < set->components.count; i++)
 		status = look_around(&search, i);
 	if (!status)
@@ -331,4 +329,5 @@ seams_release(struct seams *seams)
 	array_release(&seams->counts);
 	array_release(&seams->planes);
 	array_release(&seams->nodes);
+	face_boxes_release(&seams->boxes);
 }

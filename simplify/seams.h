@@ -51,6 +51,7 @@ struct seams {
 	TCS_ARRAY(struct seam_count) counts; /* per contact */
 	TCS_ARRAY(struct seam_plane) planes;
 	TCS_ARRAY(uint32_t) nodes; /* per node: its first plane; TCS_NONE */
+	struct face_boxes boxes; /* by component; see crossing_watch.h */
 };
 
 /*

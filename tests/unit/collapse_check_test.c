@@ -137,12 +137,33 @@ every_surface_keeps_a_face(void)
 	sample_release(&sample);
 }
 
+/* A square that is there twice, cut along one diagonal and along the other. */
+static void
+no_face_may_become_the_same_as_another(void)
+{
+	static const struct tcs_point ring[4] = {
+		{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+
+	for (int twice = 0; twice < 2; twice++) {
+		struct collapse_sample sample = {0};
+
+		sample_add_quad(&sample, 1, ring[0], ring[1], ring[2], ring[3]);
+		if (twice)
+			sample_add_quad(
+				&sample, 1, ring[1], ring[2], ring[3], ring[0]);
+		sample_begin(&sample, &plain);
+		CHECK(may(&sample, ring[1], ring[0]) == !twice);
+		sample_release(&sample);
+	}
+}
+
 static const struct check_test tests[] = {
 	CHECK_TEST(a_face_may_not_turn_over),
 	CHECK_TEST(a_face_may_not_become_a_sliver),
 	CHECK_TEST(a_tube_may_not_be_pinched),
 	CHECK_TEST(a_seam_holds),
 	CHECK_TEST(every_surface_keeps_a_face),
+	CHECK_TEST(no_face_may_become_the_same_as_another),
 	{0},
 };
 

@@ -1,0 +1,63 @@
+#include "simplify/face_boxes.h"
+
+#include "check.h"
+
+enum { FACES = 1000 };
+
+static struct float_box
+box_at(double x)
+{
+	return float_box_around((struct tcs_point){x, 0, 0},
+		(struct tcs_point){x + 0.5, 0.5, 0.5}, 0);
+}
+
+static size_t
+count_near(const struct face_boxes *boxes, double x, uint32_t *face)
+{
+	struct float_box box = box_at(x);
+	struct face_list near = {0};
+	struct tcs_fault fault;
+	size_t count;
+
+	CHECK(!face_boxes_near(boxes, 0, &box, &near, &fault));
+	count = near.count;
+	*face = count ? near.at[0] : UINT32_MAX;
+	array_release(&near);
+	return count;
+}
+
+/* In a row, a metre apart. */
+static void
+a_box_that_grows_is_found_where_it_is_then(void)
+{
+	struct face_boxes boxes = {0};
+	struct float_box own[FACES];
+	uint32_t faces[FACES], face, place = 0;
+	struct tcs_fault fault;
+
+	for (uint32_t i = 0; i < FACES; i++) {
+		faces[i] = i;
+		own[i] = box_at(i);
+	}
+	CHECK(!face_boxes_add(&boxes, faces, own, FACES, &fault));
+	CHECK(count_near(&boxes, 500, &face) == 1 && face == 500);
+	CHECK(count_near(&boxes, 2000, &face) == 0);
+	while (boxes.faces.at[place] != 990)
+		place++;
+	face_boxes_grow(&boxes, 0, place, (struct tcs_point){2000.2, 0.2, 0.2});
+	CHECK(count_near(&boxes, 2000, &face) == 1 && face == 990);
+	CHECK(count_near(&boxes, 500, &face) == 1 && face == 500);
+	CHECK(count_near(&boxes, 995, &face) == 2);
+	face_boxes_release(&boxes);
+}
+
+static const struct check_test tests[] = {
+	CHECK_TEST(a_box_that_grows_is_found_where_it_is_then),
+	{0},
+};
+
+int
+main(void)
+{
+	return check_run(tests);
+}
