@@ -213,8 +213,7 @@ items_part(struct solid_carver *carver, const struct solid_job *job,
 {
 	struct solid_facet *facet =
 		&carver->cells.facets.at[carver->cells.facets.count - 1];
-	const struct tcs_point *points =
-		carver->items.points.at + job->first_point;
+	size_t first = job->first_point;
 	enum tcs_status status = TCS_OK;
 
 	array_clear(&carver->below.list);
@@ -229,9 +228,9 @@ items_part(struct solid_carver *carver, const struct solid_job *job,
 			status = cover_add(carver, facet, item->piece, fault);
 		else
 			status = item_part(carver,
-				&carver->planes.list.at[plane], item, points,
-				fault);
-		points += item->count;
+				&carver->planes.list.at[plane], item,
+				carver->items.points.at + first, fault);
+		first += item->count;
 	}
 	return status;
 }
