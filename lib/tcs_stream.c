@@ -115,11 +115,12 @@ read_stream_head(struct tcs_reader *reader, struct tcs_fault *fault)
 
 	if (status == TCS_TRUNCATED && !reader->at)
 		return fault_set(fault, status, 0, "the stream is empty");
-	if (status)
-		return status;
-	if (memcmp(head.magic, magic, sizeof magic))
+	if ((!status || status == TCS_TRUNCATED) &&
+		memcmp(head.magic, magic, (size_t)reader->at))
 		return fault_set(
 			fault, TCS_BAD_INPUT, 0, "this is no component stream");
+	if (status)
+		return status;
 	status =
 		read_exactly(reader, (char *)&head + 8, sizeof head - 8, fault);
 	if (status)

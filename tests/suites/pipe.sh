@@ -7,7 +7,8 @@
 
 town=$SAMPLES/town-2.0.gml
 
-for program in citygml2tcs tcs2gltf tcs2json json2tcs tessera; do
+for program in citygml2tcs tcs2gltf tcs2citygml tcs2json json2tcs tcs-simplify \
+	tcs-exterior tessera; do
 	[[ -x $BUILD/bin/$program ]] && continue
 	skip "all of it" "$program is not built"
 	finish
@@ -139,9 +140,9 @@ a_killed_parser_fails_the_writer() {
 }
 
 a_writer_that_is_ended_leaves_nothing() {
-	local signal=$1 status=0 writer
+	local signal=$1 out=$2 status=0 writer
 	mkfifo joint
-	env --default-signal="$signal" tcs2gltf -q -o out.glb <joint &
+	env --default-signal="$signal" "${@:3}" -q -o "$out" <joint &
 	writer=$!
 	exec 9>joint
 	citygml2tcs -q "$town" | head -c 500000 >&9 || :
@@ -173,11 +174,19 @@ run_test statistics_of_the_driver_are_json
 run_test a_cut_stream_fails_every_reader
 run_test a_broken_document_leaves_nothing
 run_test a_killed_parser_fails_the_writer
-run_test a_writer_that_is_ended_leaves_nothing TERM
-run_test a_writer_that_is_ended_leaves_nothing INT
+for signal in TERM INT HUP; do
+	run_test a_writer_that_is_ended_leaves_nothing $signal out.glb tcs2gltf
+	run_test a_writer_that_is_ended_leaves_nothing $signal out.gml \
+		tcs2citygml
+	run_test a_writer_that_is_ended_leaves_nothing $signal out.tcs \
+		tcs-simplify --rate 0.5
+done
 for way in a_full_disk_is_a_failure a_closed_pipe_ends_quietly; do
 	run_test $way citygml2tcs "$town"
 	run_test $way tcs2gltf "$tests_folder/town.tcs"
+	run_test $way tcs2citygml "$tests_folder/town.tcs"
+	run_test $way tcs-exterior "$tests_folder/town.tcs"
+	run_test $way tcs-simplify "$tests_folder/town.tcs"
 	run_test $way tcs2json "$tests_folder/town.tcs"
 	run_test $way json2tcs "$tests_folder/town.json"
 done

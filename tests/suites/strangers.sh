@@ -38,7 +38,7 @@ refused() {
 		cat err
 		return 1
 	}
-	[[ ! -e out.tcs ]]
+	is "$(find . -name out.tcs -o -name '.tessera-*')" ''
 }
 
 # accepted MEGABYTES [OPTION...]: in.gml becomes out.tcs.
