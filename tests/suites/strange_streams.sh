@@ -20,10 +20,10 @@ bounded() {
 	)
 }
 
-# A triangle at a number that can be told from all others. $1: more of it.
+# A triangle at a number that can be told from all others.
 small_text() {
 	printf '%s\n' '{"record":"head","crs":{"kind":"projected","metres_per_unit":1,"metres_per_unit_up":1}}' \
-		"{\"record\":\"object\",\"features\":[{\"class\":\"Building\",\"id\":\"b\"}],\"geometries\":[{\"feature\":0,\"lod\":1,\"kind\":\"multi-surface\",\"polygons\":[{\"surface\":0,\"rings\":[{\"vertex_count\":3}],\"vertices\":[[0,0,0],[1234.5,0,0],[0,1,0]],\"triangles\":[[0,1,2]]}]}]${1-}}" \
+		"{\"record\":\"object\",\"features\":[{\"class\":\"Building\",\"id\":\"b\"}],\"geometries\":[{\"feature\":0,\"lod\":1,\"kind\":\"multi-surface\",\"polygons\":[{\"surface\":0,\"rings\":[{\"vertex_count\":3}],\"vertices\":[[0,0,0],[1234.5,0,0],[0,1,0]],\"triangles\":[[0,1,2]]}]}]}" \
 		'{"record":"end","objects":1}'
 }
 
