@@ -291,7 +291,8 @@ collapses_dissolve(
 
 enum tcs_status
 collapses_begin(struct collapses *work, const struct component_set *set,
-	const struct sheets *sheets, struct seams *seams, const bool *leads,
+	const struct sheets *sheets, struct seams *seams,
+	const struct collapse_regions *regions,
 	const struct collapse_settings *settings, struct tcs_fault *fault)
 {
 	enum tcs_status status;
@@ -299,7 +300,7 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 	work->set = set;
 	work->sheets = sheets;
 	work->seams = seams;
-	work->leads = leads;
+	work->regions = *regions;
 	work->ground = set->bounds.low[2] + contact_reach(set);
 	work->face_count = sheets->face_triangles.count;
 	half_edges_free(work->mesh);

@@ -24,6 +24,18 @@ struct collapse_settings {
 	double max_error; /* metres, see error_watch.h; as it began; 0: any */
 };
 
+/*
+ * Between what there are borders; both borrowed. A feature that leads decides where its
+ * border with one that does not is: a window in a wall keeps its outline, but
+ * may come forward or go back with the wall. Two charts have a border in one
+ * feature, see paint_charts.h, as long as their faces are of the feature that
+ * they came with.
+ */
+struct collapse_regions {
+	const bool *leads; /* per feature */
+	const uint32_t *charts; /* per triangle of the set; NULL: one */
+};
+
 /* A face of the ring around a vertex that moves, as it will be. */
 struct ring_face {
 	uint32_t face;
@@ -43,7 +55,7 @@ struct collapses {
 	const struct component_set *set; /* borrowed */
 	const struct sheets *sheets; /* borrowed */
 	struct seams *seams; /* borrowed */
-	const bool *leads; /* borrowed; per feature: see collapses_begin */
+	struct collapse_regions regions;
 	struct half_edges *mesh;
 	struct collapse_settings settings;
 	TCS_ARRAY(struct tcs_point) positions; /* per node */
@@ -74,14 +86,12 @@ struct collapses {
 
 /*
  * Begin with the whole mesh of a set split into sheets; seams as found there.
- * A feature that leads decides where its border with one that does not is:
- * a window in a wall keeps its outline, but may come forward or go back with
- * the wall. All are borrowed, the seams change. Fails with TCS_NO_MEMORY,
+ * All are borrowed, the seams change. Fails with TCS_NO_MEMORY,
  * TCS_LIMIT.
  */
 enum tcs_status collapses_begin(struct collapses *work,
 	const struct component_set *set, const struct sheets *sheets,
-	struct seams *seams, const bool *leads,
+	struct seams *seams, const struct collapse_regions *regions,
 	const struct collapse_settings *settings,
 	struct tcs_fault *fault) TCS_CHECKED;
 

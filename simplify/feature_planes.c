@@ -1,8 +1,8 @@
 /*
  * What a node must not leave: the planes of its faces, and at features, which
- * are open edges, sharp edges and borders between surfaces, planes through the
- * edge across its face. Those of borders stand apart, for the
- * surfaces may become one.
+ * are open edges, sharp edges, borders between surfaces and seams of their
+ * paint, planes through the edge across its face. Those of borders and seams
+ * stand apart, for the surfaces may become one.
  *
  * The source's weights of 1000 and 500 for open edges and lines hold for models
  * whose unit it does not tell, and make everything else free beside them; here
@@ -96,6 +96,21 @@ add_edge(struct collapses *work, size_t corner)
 			penalty * vector_dot(along, along));
 }
 
+/* Whether two faces are of different surfaces, or of different charts of one. */
+static bool
+have_a_border(const struct collapses *work, uint32_t a, uint32_t b)
+{
+	const uint32_t *charts = work->regions.charts;
+	uint32_t s = work->sheets->face_triangles.at[a];
+	uint32_t t = work->sheets->face_triangles.at[b];
+
+	if (work->features.at[a] != work->features.at[b])
+		return true;
+	return charts && charts[s] != charts[t] &&
+		work->set->features.at[s] == work->features.at[a] &&
+		work->set->features.at[t] == work->features.at[b];
+}
+
 /* What a border between surfaces adds at one of its ends: a plane across the
    face of the one that leads, or across both. */
 static void
@@ -108,12 +123,12 @@ add_border(struct collapses *work, uint32_t node, const struct spoke *spoke,
 	bool leads[2];
 
 	if (spoke->face == HALF_EDGE_NONE || other == HALF_EDGE_NONE ||
-		work->features.at[spoke->face] == work->features.at[other])
+		!have_a_border(work, spoke->face, other))
 		return;
 	along = vector_difference(
 		work->positions.at[node_of(work, spoke->to)], from);
 	for (int i = 0; i < 2; i++)
-		leads[i] = work->leads[work->features.at[faces[i]]];
+		leads[i] = work->regions.leads[work->features.at[faces[i]]];
 	for (int i = 0; i < 2; i++) {
 		struct tcs_point across = unit(vector_cross(
 			along, work->sheets->normals.at[faces[i]]));

@@ -87,8 +87,12 @@ list_faces(struct lod_faces *faces, const struct lod_source *source,
 		face->triangle = work->sheets->face_triangles.at[i];
 		face->polygon = source->polygons.at[face->triangle];
 		face->surface = work->features.at[i];
-		for (int k = 0; k < 3; k++)
+		for (int k = 0; k < 3; k++) {
 			face->corners[k] = faces->places.at[nodes[k]];
+			face->nodes[k] = collapses_is_moved(work, nodes[k])
+				? TCS_NONE
+				: nodes[k];
+		}
 		faces->faces.count++;
 	}
 }

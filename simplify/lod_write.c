@@ -13,40 +13,14 @@
 
 /* ---- beginning ----------------------------------------------------------- */
 
-/* The paints of `from` by polygon: count, then place. */
-static enum tcs_status
-sort_paints(struct lod_writer *writer, struct tcs_fault *fault)
-{
-	const struct tcs_object *from = writer->from;
-	size_t polygons = from->polygons.count;
-	uint32_t *first;
-
-	array_clear(&writer->paints);
-	array_clear(&writer->first_paints);
-	if (array_grow(&writer->paints, from->paints.count) ||
-		array_grow(&writer->first_paints, polygons + 2))
-		return fault_memory(fault);
-	writer->paints.count = from->paints.count;
-	writer->first_paints.count = polygons + 1;
-	first = writer->first_paints.at;
-	memset(first, 0, (polygons + 2) * sizeof *first);
-	for (size_t i = 0; i < from->paints.count; i++)
-		first[from->paints.at[i].polygon + 2]++;
-	for (size_t i = 0; i < polygons; i++)
-		first[i + 2] += first[i + 1];
-	for (size_t i = 0; i < from->paints.count; i++)
-		writer->paints.at[first[from->paints.at[i].polygon + 1]++] =
-			(uint32_t)i;
-	return TCS_OK;
-}
-
-enum tcs_status
+void
 lod_write_begin(struct lod_writer *writer, const struct tcs_object *from,
-	struct tcs_fault *fault)
+	const struct paint_charts *charts)
 {
 	struct tcs_object *to = &writer->to;
 
 	writer->from = from;
+	writer->charts = charts;
 	object_clear(to);
 	array_release(&to->text);
 	LEND(&to->text, &from->text);
@@ -54,7 +28,6 @@ lod_write_begin(struct lod_writer *writer, const struct tcs_object *from,
 	LEND(&to->attributes, &from->attributes);
 	LEND(&to->relations, &from->relations);
 	LEND(&to->instances, &from->instances);
-	return sort_paints(writer, fault);
 }
 
 /* ---- polygons ------------------------------------------------------------ */
@@ -111,12 +84,13 @@ copy_paints(struct lod_writer *writer, uint32_t polygon, uint32_t vertices,
 	struct tcs_fault *fault)
 {
 	const struct tcs_object *from = writer->from;
+	const struct paint_index *index = &writer->charts->index;
 	struct tcs_object *to = &writer->to;
 
-	for (uint32_t i = writer->first_paints.at[polygon];
-		i < writer->first_paints.at[polygon + 1]; i++) {
+	for (uint32_t i = index->first.at[polygon];
+		i < index->first.at[polygon + 1]; i++) {
 		const struct tcs_paint *paint =
-			&from->paints.at[writer->paints.at[i]];
+			&from->paints.at[index->paints.at[i]];
 		enum tcs_status status = put_paint(to, paint, vertices, fault);
 
 		if (status)
@@ -201,39 +175,57 @@ painted_as(const struct lod_writer *writer, const struct lod_source *source,
 	return own || sample == TCS_NONE ? face->triangle : sample;
 }
 
+/* The coordinate of a corner of the face, for paint `number` of the polygon of
+   the triangle that it is painted as. */
+static struct tcs_texcoord
+coordinate_at(const struct lod_writer *writer, const struct lod_source *source,
+	const struct lod_face *face, uint32_t triangle, uint32_t number, int k)
+{
+	const struct tcs_object *from = writer->from;
+	const struct paint_index *index = &writer->charts->index;
+	uint32_t polygon = source->polygons.at[triangle];
+	const struct tcs_paint *paint =
+		&from->paints.at[index->paints.at[index->first.at[polygon] +
+			number]];
+	const uint32_t *old = source->vertices.at[triangle].corner;
+	struct tcs_texcoord coordinates[3], guess;
+	struct tcs_point corners[3];
+
+	for (int i = 0; i < 3; i++) {
+		corners[i] = from->vertices.at[old[i]];
+		coordinates[i] = paint_coordinate(from, paint, old[i]);
+	}
+	guess = texture_plane_at(corners, coordinates, face->corners[k]);
+	if (triangle != face->triangle || face->nodes[k] == TCS_NONE)
+		return guess;
+	return paint_charts_at(writer->charts, from, source, triangle,
+		face->nodes[k], number, guess);
+}
+
 static enum tcs_status
 project_paints(struct lod_writer *writer, const struct lod_source *source,
 	const struct lod_face *face, struct tcs_fault *fault)
 {
 	const struct tcs_object *from = writer->from;
+	const struct paint_index *index = &writer->charts->index;
 	uint32_t triangle = painted_as(writer, source, face);
 	uint32_t polygon = source->polygons.at[triangle];
-	uint32_t first_vertex = from->polygons.at[polygon].first_vertex;
-	const uint32_t *old = source->vertices.at[triangle].corner;
+	uint32_t first = index->first.at[polygon];
+	uint32_t count = index->first.at[polygon + 1] - first;
 	struct tcs_object *to = &writer->to;
-	struct tcs_point corners[3];
 
-	for (int k = 0; k < 3; k++)
-		corners[k] = from->vertices.at[old[k]];
-	for (uint32_t i = writer->first_paints.at[polygon];
-		i < writer->first_paints.at[polygon + 1]; i++) {
+	for (uint32_t i = 0; i < count; i++) {
 		const struct tcs_paint *paint =
-			&from->paints.at[writer->paints.at[i]];
+			&from->paints.at[index->paints.at[first + i]];
 		enum tcs_status status = put_paint(to, paint, 3, fault);
-		struct tcs_texcoord old_coordinates[3];
 
 		if (status)
 			return status;
 		if (paint->first_texcoord == TCS_NONE)
 			continue;
 		for (int k = 0; k < 3; k++)
-			old_coordinates[k] =
-				from->texcoords.at[paint->first_texcoord +
-					old[k] - first_vertex];
-		for (int k = 0; k < 3; k++)
-			to->texcoords.at[to->texcoords.count++] =
-				texture_plane_at(corners, old_coordinates,
-					face->corners[k]);
+			to->texcoords.at[to->texcoords.count++] = coordinate_at(
+				writer, source, face, triangle, i, k);
 	}
 	return TCS_OK;
 }
@@ -532,8 +524,6 @@ void
 lod_write_release(struct lod_writer *writer)
 {
 	object_release(&writer->to);
-	array_release(&writer->paints);
-	array_release(&writer->first_paints);
 	lod_faces_release(&writer->faces);
 	array_release(&writer->solids);
 	array_release(&writer->uses);

@@ -3,8 +3,9 @@
  * are, or written anew from the faces that are left of them.
  *
  * A face becomes a polygon of one triangle without rings. It keeps the paints
- * of the polygon it comes from; texture coordinates are those of its old
- * triangle's plane at the new corners. What has become part of another surface
+ * of the polygon it comes from; texture coordinates are those of its chart at
+ * the new corners, or those of its old triangle's plane where the chart does not
+ * reach or a corner is where none was. What has become part of another surface
  * is painted as the first triangle of that one. Where the polygon has an id,
  * the new one's derives from it.
  */
@@ -12,6 +13,7 @@
 #define TESSERA_LOD_WRITE_H
 
 #include "lod_faces.h"
+#include "paint_charts.h"
 
 /* A geometry of `from`, and the feature that has it at a level. */
 struct home_use {
@@ -23,8 +25,7 @@ struct lod_writer {
 	const struct tcs_object *from; /* borrowed */
 	struct tcs_object to; /* features, attributes, relations, instances
 	                         and text are lent by `from` */
-	TCS_ARRAY(uint32_t) paints; /* of `from`, by polygon */
-	TCS_ARRAY(uint32_t) first_paints; /* per polygon, and one more */
+	const struct paint_charts *charts; /* borrowed: of `from` */
 	struct lod_faces faces; /* taken before a level is written */
 	const uint32_t *homes; /* as lod_write_level got them */
 	TCS_ARRAY(uint32_t)
@@ -34,9 +35,9 @@ struct lod_writer {
 	TCS_ARRAY(char) id; /* scratch */
 };
 
-/* Begin: `to` is `from` without geometries. Fails with TCS_NO_MEMORY. */
-enum tcs_status lod_write_begin(struct lod_writer *writer,
-	const struct tcs_object *from, struct tcs_fault *fault) TCS_CHECKED;
+/* Begin: `to` is `from` without geometries. */
+void lod_write_begin(struct lod_writer *writer, const struct tcs_object *from,
+	const struct paint_charts *charts);
 
 /* Append a geometry of `from` as it is. Fails with TCS_NO_MEMORY. */
 enum tcs_status lod_write_copy(struct lod_writer *writer, uint32_t geometry,

@@ -27,6 +27,7 @@ prepare(struct object_simplifier *simplifier,
 		.base_ratio = settings->base_ratio,
 		.optimal = settings->placement == PLACE_OPTIMAL,
 		.max_error = settings->max_error};
+	struct collapse_regions regions;
 	enum tcs_status status;
 	double reach;
 
@@ -37,17 +38,23 @@ prepare(struct object_simplifier *simplifier,
 		status = openings_find(&simplifier->openings, in, set, fault);
 	if (!status)
 		status = sheets_build(&simplifier->sheets, set, fault);
+	if (!status)
+		status = paint_charts_find(&simplifier->charts, in,
+			&simplifier->source, &simplifier->sheets, fault);
 	if (status)
 		return status;
 	set->jobs = set->triangles.count > LARGE ? settings->jobs : 1;
 	array_trim(&set->edges.uses);
 	reach = contact_reach(set);
+	regions = (struct collapse_regions){simplifier->openings.are.at,
+		simplifier->charts.numbers.count ? simplifier->charts.numbers.at
+						 : NULL};
 	status = seams_find(&simplifier->seams, set, &simplifier->sheets, reach,
 		&simplifier->contacts, fault);
 	if (!status)
 		status = collapses_begin(&simplifier->collapses, set,
-			&simplifier->sheets, &simplifier->seams,
-			simplifier->openings.are.at, &first, fault);
+			&simplifier->sheets, &simplifier->seams, &regions,
+			&first, fault);
 	if (!status)
 		status = removals_begin(&simplifier->removals,
 			&simplifier->collapses, &simplifier->contacts, reach,
@@ -251,11 +258,9 @@ write_kept(struct object_simplifier *simplifier,
 	const struct simplify_settings *settings, const struct tcs_object *in,
 	struct tcs_fault *fault)
 {
-	enum tcs_status status =
-		lod_write_begin(&simplifier->writer, in, fault);
+	enum tcs_status status = find_simplified_hosts(simplifier, in, fault);
 
-	if (!status)
-		status = find_simplified_hosts(simplifier, in, fault);
+	lod_write_begin(&simplifier->writer, in, &simplifier->charts);
 	for (uint32_t i = 0; !status && i < in->geometries.count; i++)
 		if (!is_replaced(simplifier, settings, in, i))
 			status = lod_write_copy(&simplifier->writer, i, fault);
@@ -296,6 +301,7 @@ release_all_but_writer(struct object_simplifier *simplifier)
 {
 	lod_source_release(&simplifier->source);
 	sheets_release(&simplifier->sheets);
+	paint_charts_release(&simplifier->charts);
 	array_release(&simplifier->contacts);
 	seams_release(&simplifier->seams);
 	collapses_release(&simplifier->collapses);

@@ -12,6 +12,7 @@
 #include "lod_write.h"
 #include "openings.h"
 #include "overlaps.h"
+#include "paint_charts.h"
 #include "removals.h"
 #include "report.h"
 
@@ -41,6 +42,7 @@ struct simplify_settings {
 struct object_simplifier {
 	struct lod_source source;
 	struct sheets sheets;
+	struct paint_charts charts;
 	struct contact_list contacts;
 	struct seams seams;
 	struct collapses collapses;

@@ -207,6 +207,32 @@ a_border_between_surfaces_may_not_be_left_unless_it_must(void)
 	sample_release(&sample);
 }
 
+/* The surface is one, the paint ends at x = 3. */
+static void
+a_seam_of_the_paint_is_a_border(void)
+{
+	const struct collapse_settings settings = {.base_ratio = 2};
+	struct collapse_sample sample = {0};
+	uint32_t charts[72], homes[SAMPLE_FEATURES] = {3, 3, 3, 3};
+	struct tcs_fault fault;
+
+	for (int i = 0; i < 72; i++)
+		charts[i] = i >= 36;
+	sample.charts = charts;
+	sample_add_sheet(&sample, 1, (struct tcs_point){0, 0, 0}, 1, 3, 6);
+	sample_add_sheet(&sample, 1, (struct tcs_point){3, 0, 0}, 1, 3, 6);
+	sample_begin(&sample, &settings);
+	CHECK(isinf(cost(&sample, (struct tcs_point){3, 3, 0},
+		(struct tcs_point){2, 3, 0})));
+	CHECK(cost(&sample, (struct tcs_point){3, 3, 0},
+		      (struct tcs_point){3, 4, 0}) < free_cost);
+	/* Both sides are painted as another surface. */
+	CHECK(!collapses_dissolve(&sample.work, homes, &fault));
+	CHECK(cost(&sample, (struct tcs_point){3, 3, 0},
+		      (struct tcs_point){2, 3, 0}) < free_cost);
+	sample_release(&sample);
+}
+
 static void
 what_stands_on_the_ground_is_not_lifted_off_it(void)
 {
@@ -235,6 +261,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(an_open_rim_is_not_free_to_leave_its_line),
 	CHECK_TEST(a_sharp_edge_is_a_line_and_a_blunt_one_is_none),
 	CHECK_TEST(a_border_between_surfaces_may_not_be_left_unless_it_must),
+	CHECK_TEST(a_seam_of_the_paint_is_a_border),
 	CHECK_TEST(what_stands_on_the_ground_is_not_lifted_off_it),
 	{0},
 };

@@ -16,6 +16,7 @@ struct collapse_sample {
 	struct seams seams;
 	struct collapses work;
 	bool leads[SAMPLE_FEATURES];
+	const uint32_t *charts; /* per triangle; NULL: one */
 };
 
 static inline void
@@ -77,6 +78,7 @@ static inline void
 sample_begin(struct collapse_sample *sample,
 	const struct collapse_settings *settings)
 {
+	const struct collapse_regions regions = {sample->leads, sample->charts};
 	struct tcs_fault fault;
 	double reach;
 
@@ -86,7 +88,7 @@ sample_begin(struct collapse_sample *sample,
 	CHECK(!seams_find(&sample->seams, &sample->set, &sample->sheets, reach,
 		&sample->contacts, &fault));
 	CHECK(!collapses_begin(&sample->work, &sample->set, &sample->sheets,
-		&sample->seams, sample->leads, settings, &fault));
+		&sample->seams, &regions, settings, &fault));
 }
 
 static inline void
