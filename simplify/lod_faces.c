@@ -71,22 +71,27 @@ index_faces(struct lod_faces *faces, size_t polygons, struct tcs_fault *fault)
 	return TCS_OK;
 }
 
-/* In the order of the source; there is room. */
-static void
+/* In the order of the source, which is by polygon as a rule; there is room.
+   Whether it is. */
+static bool
 list_faces(struct lod_faces *faces, const struct lod_source *source,
 	const struct collapses *work)
 {
-	size_t count = work->sheets->face_triangles.count;
+	const uint32_t *polygons = source->polygons.at;
+	uint32_t last = 0;
+	bool sorted = true;
 
-	for (uint32_t i = 0; i < count; i++) {
+	for (uint32_t i = 0; i < source->polygons.count; i++) {
 		struct lod_face *face = faces->faces.at + faces->faces.count;
-		uint32_t nodes[3];
+		uint32_t own = work->sheets->triangle_faces.at[i], nodes[3];
 
-		if (!collapses_face(work, i, nodes))
+		if (own == TCS_NONE || !collapses_face(work, own, nodes))
 			continue;
-		face->triangle = work->sheets->face_triangles.at[i];
-		face->polygon = source->polygons.at[face->triangle];
-		face->surface = work->features.at[i];
+		sorted &= polygons[i] >= last;
+		last = polygons[i];
+		face->triangle = i;
+		face->polygon = polygons[i];
+		face->surface = work->features.at[own];
 		for (int k = 0; k < 3; k++) {
 			face->corners[k] = faces->places.at[nodes[k]];
 			face->nodes[k] = collapses_is_moved(work, nodes[k])
@@ -95,6 +100,7 @@ list_faces(struct lod_faces *faces, const struct lod_source *source,
 		}
 		faces->faces.count++;
 	}
+	return sorted;
 }
 
 enum tcs_status
@@ -112,8 +118,7 @@ lod_faces_take(struct lod_faces *faces, const struct tcs_object *from,
 		status = fault_memory(fault);
 	if (status)
 		return status;
-	list_faces(faces, source, work);
-	if (faces->faces.count > 0)
+	if (!list_faces(faces, source, work))
 		qsort(faces->faces.at, faces->faces.count,
 			sizeof *faces->faces.at, by_polygon);
 	return index_faces(faces, from->polygons.count, fault);

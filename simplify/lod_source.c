@@ -24,7 +24,7 @@ find_home(struct lod_source *source, const struct tcs_object *object,
 	bool added;
 
 	source->homes.at[polygon] = polygon;
-	if (!own->id)
+	if (!own->id || !source->shared)
 		return TCS_OK;
 	if (byte_index_add(
 		    &source->ids, id, strlen(id), &number, &added, fault) ||
@@ -94,8 +94,12 @@ lod_source_load(struct lod_source *source, const struct tcs_object *object,
 	if (array_grow(&source->homes, count))
 		return fault_memory(fault);
 	source->homes.count = count;
-	for (size_t i = 0; i < count; i++)
+	source->shared = false;
+	for (size_t i = 0; i < count; i++) {
 		source->homes.at[i] = TCS_NONE;
+		source->shared |= (object->polygons.at[i].flags &
+					  TCS_POLYGON_SHARED) != 0;
+	}
 	status = selection_make(&source->selection, object, lod, fault);
 	for (size_t i = 0; !status && i < object->geometries.count; i++)
 		if (source->selection.geometries.at[i])

@@ -23,6 +23,7 @@ struct lod_source {
 	TCS_ARRAY(uint32_t)
 	homes; /* per polygon: the one whose triangles it
 	                              has, mostly itself; TCS_NONE: none */
+	bool shared; /* some polygon is another one again */
 	struct byte_index ids; /* scratch */
 	TCS_ARRAY(uint32_t) named; /* scratch: per id its first polygon */
 };

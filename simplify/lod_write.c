@@ -1,7 +1,5 @@
 #include "lod_write.h"
 
-#include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -140,13 +138,28 @@ copy_polygon(
 	return copy_paints(writer, polygon, own->vertex_count, fault);
 }
 
+static size_t
+put_number(char *out, uint32_t number)
+{
+	char digits[10];
+	size_t count = 0;
+
+	do
+		digits[count++] = (char)('0' + number % 10);
+	while (number /= 10);
+	for (size_t i = 0; i < count; i++)
+		out[i] = digits[count - 1 - i];
+	return count;
+}
+
 /* "ID_L1", then "ID_L1_2" and so on. */
 static enum tcs_status
 derive_id(struct lod_writer *writer, tcs_text id, unsigned lod, uint32_t number,
 	tcs_text *out, struct tcs_fault *fault)
 {
-	size_t length = strlen(object_text(writer->from, id));
-	int more;
+	const char *old = object_text(writer->from, id);
+	size_t length = strlen(old);
+	char *end;
 
 	*out = 0;
 	if (!id)
@@ -154,14 +167,17 @@ derive_id(struct lod_writer *writer, tcs_text id, unsigned lod, uint32_t number,
 	writer->id.count = 0;
 	if (array_grow(&writer->id, length + 32))
 		return fault_memory(fault);
-	memcpy(writer->id.at, object_text(writer->from, id), length);
-	if (number == 0)
-		more = snprintf(writer->id.at + length, 32, "_L%u", lod);
-	else
-		more = snprintf(writer->id.at + length, 32, "_L%u_%" PRIu32,
-			lod, number + 1);
-	return text_append(
-		&writer->to, writer->id.at, length + (size_t)more, out, fault);
+	memcpy(writer->id.at, old, length);
+	end = writer->id.at + length;
+	*end++ = '_';
+	*end++ = 'L';
+	end += put_number(end, lod);
+	if (number > 0) {
+		*end++ = '_';
+		end += put_number(end, number + 1);
+	}
+	return text_append(&writer->to, writer->id.at,
+		(size_t)(end - writer->id.at), out, fault);
 }
 
 /* The triangle of the source that a face is painted as. */

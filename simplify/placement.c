@@ -86,8 +86,13 @@ cost_at(const struct collapses *work, const uint32_t nodes[2],
 	return cost;
 }
 
-bool
-placement_find(const struct collapses *work, uint32_t node, uint32_t target,
+/*
+ * Under optimal placement: the best place for what an edge between two nodes
+ * becomes, and its cost, which is INFINITY where a border between surfaces
+ * forbids it; false where half-edge collapse is meant.
+ */
+static bool
+find_place(const struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_point *place, double *cost)
 {
 	const uint32_t nodes[2] = {node, target};
@@ -95,12 +100,12 @@ placement_find(const struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_point b = work->positions.at[target];
 	struct tcs_point middle = vector_middle(a, b);
 	struct tcs_point places[4] = {b, middle, a};
-	struct quadric sum = work->quadrics.at[node];
+	struct quadric sum;
 	int count = 3;
 
-	if (!work->settings.optimal || !may_move(work, node) ||
-		!may_move(work, target))
+	if (!may_move(work, node) || !may_move(work, target))
 		return false;
+	sum = work->quadrics.at[node];
 	quadric_add(&sum, &work->quadrics.at[target]);
 	quadric_add(&sum, &work->borders.at[node]);
 	quadric_add(&sum, &work->borders.at[target]);
@@ -128,7 +133,8 @@ placement_cost(const struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_point place;
 	double cost;
 
-	if (placement_find(work, node, target, &place, &cost))
+	if (work->settings.optimal &&
+		find_place(work, node, target, &place, &cost))
 		return cost;
 	return collapse_cost(work, node, target, bound);
 }
@@ -180,12 +186,13 @@ enum tcs_status
 placement_check(struct collapses *work, uint32_t node, uint32_t target,
 	bool *fine, struct tcs_fault *fault)
 {
-	struct edge_rings rings = {0};
+	struct edge_rings rings;
 	struct tcs_point place;
 	enum tcs_status status;
 	double cost;
 
-	if (!placement_find(work, node, target, &place, &cost))
+	if (!work->settings.optimal ||
+		!find_place(work, node, target, &place, &cost))
 		return collapse_check(work, node, target, fine, fault);
 	work->watch.paused = true;
 	status = check_both(work, node, target, place, fine, fault);
@@ -201,14 +208,15 @@ enum tcs_status
 placement_do(struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_fault *fault)
 {
-	struct edge_rings rings = {0};
+	struct edge_rings rings;
 	struct tcs_point place;
 	enum tcs_status status;
 	double cost;
 
-	if (work->settings.optimal)
-		work->fixed.at[target] |= work->fixed.at[node];
-	if (!placement_find(work, node, target, &place, &cost))
+	if (!work->settings.optimal)
+		return collapse_do(work, node, target, fault);
+	work->fixed.at[target] |= work->fixed.at[node];
+	if (!find_place(work, node, target, &place, &cost))
 		return collapse_do(work, node, target, fault);
 	load_rings(work, node, target, &rings);
 	error_watch_follow(work, rings.rings, 2, place);

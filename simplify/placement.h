@@ -21,14 +21,6 @@
 enum tcs_status placement_begin(
 	struct collapses *work, struct tcs_fault *fault) TCS_CHECKED;
 
-/*
- * The best place for what an edge between two nodes becomes, and its cost,
- * which is INFINITY where a border between surfaces forbids it; false where
- * half-edge collapse is meant.
- */
-bool placement_find(const struct collapses *work, uint32_t node,
-	uint32_t target, struct tcs_point *place, double *cost);
-
 /* As collapse_cost, whatever the placement. */
 double placement_cost(const struct collapses *work, uint32_t node,
 	uint32_t target, double bound);

@@ -90,15 +90,7 @@ distance_of(const struct removals *removals, const struct part *own)
 
 /* ---- what breaks --------------------------------------------------------- */
 
-static int
-by_number(const void *left, const void *right)
-{
-	const uint32_t *a = left, *b = right;
-
-	return (*a > *b) - (*a < *b);
-}
-
-/* The contacts of the points that a part holds, one for each. */
+/* The contacts of the points that a part holds, and how many of each. */
 static enum tcs_status
 list_contacts(struct removals *removals, const struct part *part,
 	struct tcs_fault *fault)
@@ -111,38 +103,37 @@ list_contacts(struct removals *removals, const struct part *part,
 
 		for (uint32_t hold = seams->faces.at[face]; hold != TCS_NONE;
 			hold = seams->holds.at[hold].next) {
+			uint32_t contact = seams->points.at[hold / 2].contact;
+
+			if (removals->held.at[contact]++)
+				continue;
 			if (array_grow(&removals->contacts, 1))
 				return fault_memory(fault);
 			removals->contacts.at[removals->contacts.count++] =
-				seams->points.at[hold / 2].contact;
+				contact;
 		}
 	}
-	if (removals->contacts.count > 0)
-		qsort(removals->contacts.at, removals->contacts.count,
-			sizeof *removals->contacts.at, by_number);
 	return TCS_OK;
 }
 
-/* How many contacts break, parts of contacts as parts. */
+/* How many contacts break, parts of contacts as parts. The list is used up. */
 static double
-count_broken(const struct removals *removals, const struct part *part)
+count_broken(struct removals *removals, const struct part *part)
 {
 	const struct seams *seams = removals->work->seams;
 	double broken = 0;
 
-	for (size_t i = 0, end; i < removals->contacts.count; i = end) {
+	for (size_t i = 0; i < removals->contacts.count; i++) {
 		uint32_t contact = removals->contacts.at[i];
 		const struct seam_count *count = &seams->counts.at[contact];
-		uint32_t open;
+		uint32_t open = count->open + removals->held.at[contact];
 
-		for (end = i; end < removals->contacts.count &&
-			removals->contacts.at[end] == contact;)
-			end++;
-		open = count->open + (uint32_t)(end - i);
+		removals->held.at[contact] = 0;
 		broken += open >= count->points	    ? 1
 			: 4 * open >= count->points ? 0.5
 						    : 0;
 	}
+	removals->contacts.count = 0;
 	if (removals->parts.left.at[part->component] == 1)
 		broken += removals->parts.enclosed.at[part->component];
 	return broken;
@@ -199,12 +190,15 @@ price_of(struct removals *removals, uint32_t number, double *price,
 	double far = distance / removals->far;
 	double allowed = removals->work->settings.max_error;
 	uint32_t faces = count_faces(removals, part);
-	enum tcs_status status = list_contacts(removals, part, fault);
+	enum tcs_status status;
 	double broken;
 
 	*price = INFINITY;
-	if (status || !faces || distance == INFINITY ||
+	if (!faces || distance == INFINITY ||
 		(allowed > 0 && distance > allowed))
+		return TCS_OK;
+	status = list_contacts(removals, part, fault);
+	if (status)
 		return status;
 	broken = count_broken(removals, part) + count_vanishing(removals, part);
 	if (visible > 0)
@@ -289,6 +283,21 @@ grow_trees(struct removals *removals, struct tcs_fault *fault)
 	return status;
 }
 
+static enum tcs_status
+make_room(struct removals *removals, struct tcs_fault *fault)
+{
+	size_t contacts = removals->work->seams->counts.count;
+
+	array_clear(&removals->held);
+	if (array_grow(&removals->distances, removals->parts.count) ||
+		array_grow(&removals->held, contacts))
+		return fault_memory(fault);
+	removals->held.count = contacts;
+	for (size_t i = 0; i < contacts; i++)
+		removals->held.at[i] = 0;
+	return TCS_OK;
+}
+
 enum tcs_status
 removals_begin(struct removals *removals, struct collapses *work,
 	const struct contact_list *contacts, double reach, bool all_seen,
@@ -309,8 +318,8 @@ removals_begin(struct removals *removals, struct collapses *work,
 	if (!status)
 		status = node_queue_reset(
 			&removals->queue, removals->parts.count, fault);
-	if (!status && array_grow(&removals->distances, removals->parts.count))
-		status = fault_memory(fault);
+	if (!status)
+		status = make_room(removals, fault);
 	for (uint32_t i = 0; !status && i < removals->parts.count; i++) {
 		removals->distances.at[i] = removals->parts.at.at[i].depth;
 		status = judge(removals, i, fault);
@@ -409,4 +418,5 @@ removals_release(struct removals *removals)
 	triangle_tree_release(&removals->tree);
 	array_release(&removals->roots);
 	array_release(&removals->contacts);
+	array_release(&removals->held);
 }

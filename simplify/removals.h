@@ -28,7 +28,8 @@ struct removals {
 	TCS_ARRAY(double) distances;
 	struct triangle_tree tree; /* of every part, once they are looked at */
 	TCS_ARRAY(uint32_t) roots; /* per part: in the tree */
-	TCS_ARRAY(uint32_t) contacts; /* scratch: one per point held */
+	TCS_ARRAY(uint32_t) contacts; /* scratch: of one part */
+	TCS_ARRAY(uint32_t) held; /* scratch: per contact, points of it; or 0 */
 	double far; /* metres from what stays: beyond it the price is steep */
 	double contact_cost; /* of one that breaks */
 	bool all_seen; /* without looking */

@@ -45,24 +45,51 @@ square_distance(struct tcs_point a, struct tcs_point b)
 	return vector_dot(ab, ab);
 }
 
-/* Whether the point, projected on the plane, lies right of the edge. */
+/* In the coordinate plane that a normal is most upright on, seen from where it
+   points. */
+struct flat {
+	double x, y;
+};
+
+static inline struct flat
+flattened(struct tcs_point a, struct tcs_point normal)
+{
+	double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);
+
+	if (z >= x && z >= y)
+		return (struct flat){a.x, normal.z < 0 ? -a.y : a.y};
+	if (y >= x)
+		return (struct flat){a.z, normal.y < 0 ? -a.x : a.x};
+	return (struct flat){a.y, normal.x < 0 ? -a.z : a.z};
+}
+
 static inline bool
-is_outside(struct tcs_point a, struct tcs_point b, struct tcs_point normal,
+turns_right(struct flat a, struct flat b)
+{
+	return a.x * b.y - a.y * b.x < 0;
+}
+
+/* A bit for each edge, from corner i to the next, that has the point on its
+   right, projected on the plane. */
+static inline unsigned
+edges_left_of(const struct triangle_shape *t, struct tcs_point normal,
 	struct tcs_point point)
 {
-	return vector_dot(vector_cross(normal, vector_difference(b, a)),
-		       vector_difference(point, a)) < 0;
+	struct flat from[3];
+
+	for (int i = 0; i < 3; i++)
+		from[i] = flattened(
+			vector_difference(t->corner[i], point), normal);
+	return (unsigned)turns_right(from[0], from[1]) |
+		(unsigned)turns_right(from[1], from[2]) << 1 |
+		(unsigned)turns_right(from[2], from[0]) << 2;
 }
 
 bool
 triangle_is_above(const struct triangle_shape *t, struct tcs_point normal,
 	struct tcs_point point)
 {
-	for (int i = 0; i < 3; i++)
-		if (is_outside(t->corner[i], t->corner[(i + 1) % 3], normal,
-			    point))
-			return false;
-	return true;
+	return !edges_left_of(t, normal, point);
 }
 
 /* Only an edge that has the point on its outer side can be nearest. */
@@ -71,29 +98,28 @@ triangle_nearest_along(const struct triangle_shape *t, struct tcs_point normal,
 	struct tcs_point point)
 {
 	double square = vector_dot(normal, normal), least = INFINITY;
+	unsigned edges = square > 0 ? edges_left_of(t, normal, point) : 7;
 	struct tcs_point best = t->corner[0];
-	bool inside = square > 0;
 
+	if (!edges)
+		return vector_along(point, normal,
+			-vector_dot(normal,
+				vector_difference(point, t->corner[0])) /
+				square);
 	for (int i = 0; i < 3; i++) {
-		struct tcs_point a = t->corner[i], b = t->corner[(i + 1) % 3];
 		struct tcs_point at;
 		double distance;
 
-		if (square > 0 && !is_outside(a, b, normal, point))
+		if (!(edges >> i & 1))
 			continue;
-		inside = false;
-		at = segment_nearest(a, b, point);
+		at = segment_nearest(
+			t->corner[i], t->corner[i < 2 ? i + 1 : 0], point);
 		distance = square_distance(at, point);
 		if (distance < least) {
 			least = distance;
 			best = at;
 		}
 	}
-	if (inside)
-		return vector_along(point, normal,
-			-vector_dot(normal,
-				vector_difference(point, t->corner[0])) /
-				square);
 	return best;
 }
 
