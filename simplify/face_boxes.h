@@ -73,20 +73,26 @@ float_box_around(struct tcs_point a, struct tcs_point b, double reach)
 			rounded_up((a.z > b.z ? a.z : b.z) + reach)}};
 }
 
+static inline double
+least_of(double a, double b, double c)
+{
+	double least = a < b ? a : b;
+
+	return c < least ? c : least;
+}
+
 static inline struct float_box
 float_box_of(const struct triangle_shape *shape)
 {
 	const struct tcs_point *p = shape->corner;
-	struct float_box box = float_box_around(p[0], p[1], 0);
-	struct float_box last = float_box_around(p[2], p[2], 0);
 
-	for (int i = 0; i < 3; i++) {
-		if (last.low[i] < box.low[i])
-			box.low[i] = last.low[i];
-		if (last.high[i] > box.high[i])
-			box.high[i] = last.high[i];
-	}
-	return box;
+	return (struct float_box){
+		{rounded_down(least_of(p[0].x, p[1].x, p[2].x)),
+			rounded_down(least_of(p[0].y, p[1].y, p[2].y)),
+			rounded_down(least_of(p[0].z, p[1].z, p[2].z))},
+		{rounded_up(-least_of(-p[0].x, -p[1].x, -p[2].x)),
+			rounded_up(-least_of(-p[0].y, -p[1].y, -p[2].y)),
+			rounded_up(-least_of(-p[0].z, -p[1].z, -p[2].z))}};
 }
 
 static inline bool

@@ -32,7 +32,7 @@ struct search {
 	struct seams *seams;
 	struct contact_list *contacts;
 	struct piece *pieces;
-	TCS_ARRAY(uint32_t) corners; /* per node: its first */
+	TCS_ARRAY(struct touch_face) faces;
 	TCS_ARRAY(uint32_t) others; /* scratch: beside one component */
 	TCS_ARRAY(struct box_pair) pairs; /* by a, then b */
 	uint32_t component; /* being looked around */
@@ -219,6 +219,7 @@ clear(struct search *search)
 	const struct sheets *sheets = search->scene.sheets;
 	struct seams *seams = search->seams;
 	size_t faces = sheets->face_triangles.count, nodes = sheets->node_count;
+	enum tcs_status status;
 
 	array_clear(search->contacts);
 	array_clear(&seams->points);
@@ -229,7 +230,7 @@ clear(struct search *search)
 	array_clear(&seams->nodes);
 	if (array_grow(&seams->faces, faces) ||
 		array_grow(&seams->nodes, nodes) ||
-		array_grow(&search->corners, nodes) ||
+		array_grow(&search->faces, faces) ||
 		array_grow(&search->pairs, (size_t)PAIRS * PIECES))
 		return fault_memory(search->fault);
 	/* TCS_NONE is all ones. */
@@ -239,13 +240,12 @@ clear(struct search *search)
 		memset(seams->faces.at, 0xff, faces * sizeof *seams->faces.at);
 		memset(seams->nodes.at, 0xff, nodes * sizeof *seams->nodes.at);
 	}
-	for (size_t i = sheets->corners.count; i-- > 0;)
-		search->corners
-			.at[sheets->vertex_nodes.at[sheets->corners.at[i]]] =
-			(uint32_t)i;
-	search->scene.node_corners = search->corners.at;
-	return face_boxes_build(
-		&seams->boxes, search->scene.set, sheets, search->fault);
+	search->scene.faces = search->faces.at;
+	status = touch_faces_fill(
+		search->faces.at, search->scene.set, sheets, search->fault);
+	return status ? status
+		      : face_boxes_build(&seams->boxes, search->scene.set,
+				sheets, search->fault);
 }
 
 static void
@@ -254,7 +254,7 @@ search_release(struct search *search)
 	for (size_t i = 0; search->pieces && i < PIECES; i++)
 		touches_release(&search->pieces[i].touches);
 	free(search->pieces);
-	array_release(&search->corners);
+	array_release(&search->faces);
 	array_release(&search->others);
 	array_release(&search->pairs);
 }

@@ -27,58 +27,60 @@ struct look {
 	struct tcs_fault *fault;
 };
 
-/* An edge, as its face winds. */
+/* An edge, as its face winds: from corner k to the next. */
 struct edge {
-	uint32_t corner;
+	uint32_t face, k;
 	struct tcs_point from, to;
 };
 
 /* ---- the mesh ------------------------------------------------------------ */
 
+enum tcs_status
+touch_faces_fill(struct touch_face *faces, const struct component_set *set,
+	const struct sheets *sheets, struct tcs_fault *fault)
+{
+	bool *seen = calloc(sheets->node_count + 1, sizeof *seen);
+
+	if (!seen)
+		return fault_memory(fault);
+	for (uint32_t i = 0; i < sheets->corners.count; i++) {
+		struct touch_face *face = &faces[i / 3];
+		uint32_t node = sheets->vertex_nodes.at[sheets->corners.at[i]];
+		uint32_t back = sheets->opposites.at[i], k = i % 3;
+
+		if (k == 0)
+			*face = (struct touch_face){
+				.shape = component_set_shape(
+					set, sheets->face_triangles.at[i / 3])};
+		face->nodes[k] = node;
+		if (!seen[node])
+			face->asks |= TOUCH_VERTEX << k;
+		if (back == HALF_EDGE_NONE || i < back)
+			face->asks |= TOUCH_EDGE << k;
+		seen[node] = true;
+	}
+	free(seen);
+	return TCS_OK;
+}
+
+static const struct touch_face *
+face_at(const struct look *look, uint32_t face)
+{
+	return &look->scene->faces[face];
+}
+
 static uint32_t
-node_at(const struct look *look, uint32_t corner)
+next_of(uint32_t k)
 {
-	const struct sheets *sheets = look->scene->sheets;
-
-	return sheets->vertex_nodes.at[sheets->corners.at[corner]];
-}
-
-static struct tcs_point
-position_at(const struct look *look, uint32_t corner)
-{
-	const struct component_set *set = look->scene->set;
-	uint32_t triangle = look->scene->sheets->face_triangles.at[corner / 3];
-
-	return set->points.at[set->triangles.at[triangle].corner[corner % 3]];
-}
-
-static struct triangle_shape
-shape_of(const struct look *look, uint32_t face)
-{
-	return component_set_shape(
-		look->scene->set, look->scene->sheets->face_triangles.at[face]);
-}
-
-static uint32_t
-next_corner(uint32_t corner)
-{
-	return corner % 3 == 2 ? corner - 2 : corner + 1;
+	return k < 2 ? k + 1 : 0;
 }
 
 static struct edge
-edge_at(const struct look *look, uint32_t corner)
+edge_at(const struct look *look, uint32_t face, uint32_t k)
 {
-	return (struct edge){corner, position_at(look, corner),
-		position_at(look, next_corner(corner))};
-}
+	const struct tcs_point *corners = face_at(look, face)->shape.corner;
 
-/* Every edge is asked at one of its corners. */
-static bool
-is_asked(const struct look *look, uint32_t corner)
-{
-	uint32_t back = look->scene->sheets->opposites.at[corner];
-
-	return back == HALF_EDGE_NONE || corner < back;
+	return (struct edge){face, k, corners[k], corners[next_of(k)]};
 }
 
 /* How far a point is above the plane of a face; 0 if it has none. */
@@ -86,7 +88,7 @@ static double
 height_over(const struct look *look, uint32_t face, struct tcs_point point)
 {
 	return vector_dot(look->scene->sheets->normals.at[face],
-		vector_difference(point, position_at(look, 3 * face)));
+		vector_difference(point, face_at(look, face)->shape.corner[0]));
 }
 
 /* ---- what is found ------------------------------------------------------- */
@@ -189,39 +191,38 @@ forget_met(struct touches *touches, size_t first_plane)
 }
 
 static enum tcs_status
-ask_vertex(struct look *look, uint32_t corner)
+ask_vertex(struct look *look, uint32_t own, uint32_t k)
 {
 	double reach = look->scene->reach, least = INFINITY;
-	struct tcs_point at = position_at(look, corner);
+	struct tcs_point at = face_at(look, own)->shape.corner[k];
+	uint32_t node = face_at(look, own)->nodes[k], nearest = TCS_NONE;
 	struct float_box box = float_box_around(at, at, reach);
 	const struct face_list *there = &look->touches->there;
 	enum tcs_status status = list_near(look, &box, &look->touches->there);
-	uint32_t nearest = TCS_NONE;
 
 	for (size_t i = 0; !status && i < there->count; i++) {
 		uint32_t face = there->at[i];
-		struct triangle_shape shape;
 		double gap;
 
 		if (fabs(height_over(look, face, at)) > reach)
 			continue;
-		shape = shape_of(look, face);
-		gap = vector_length(
-			vector_difference(at, triangle_nearest(&shape, at)));
+		gap = vector_length(vector_difference(at,
+			triangle_nearest_along(&face_at(look, face)->shape,
+				look->scene->sheets->normals.at[face], at)));
 		if (gap > reach)
 			continue;
 		if (gap < least) {
 			least = gap;
 			nearest = face;
 		}
-		status = add_plane(look, node_at(look, corner), face);
+		status = add_plane(look, node, face);
 	}
 	if (status || nearest == TCS_NONE)
 		return status;
 	look->touching = true;
-	set_met(look->touches, node_at(look, corner), true);
-	return add_place(look, at, (uint32_t[]){corner / 3, nearest},
-		(double[]){0, least});
+	set_met(look->touches, node, true);
+	return add_place(
+		look, at, (uint32_t[]){own, nearest}, (double[]){0, least});
 }
 
 /* ---- edges that pierce --------------------------------------------------- */
@@ -231,17 +232,13 @@ ask_vertex(struct look *look, uint32_t corner)
 static enum tcs_status
 add_opposite(struct look *look, uint32_t corner, uint32_t other)
 {
-	const struct sheets *sheets = look->scene->sheets;
-	uint32_t apex = corner - corner % 3 + (corner + 2) % 3;
-	uint32_t node = node_at(look, apex);
-	struct triangle_shape face = shape_of(look, other);
-	struct tcs_point at =
-		look->scene->set->points.at[sheets->nodes.at[node].point];
-	double height = vector_dot(sheets->normals.at[other],
-		vector_difference(at, face.corner[0]));
+	const struct touch_face *face = face_at(look, corner / 3);
+	uint32_t apex = (corner + 2) % 3;
 
-	return height > look->scene->reach ? TCS_OK
-					   : add_plane(look, node, other);
+	return height_over(look, other, face->shape.corner[apex]) >
+			look->scene->reach
+		? TCS_OK
+		: add_plane(look, face->nodes[apex], other);
 }
 
 /*
@@ -264,28 +261,14 @@ add_embedded(struct look *look, uint32_t corner, uint32_t other)
 	return status ? status : add_opposite(look, back, other);
 }
 
-static struct edge
-lengthened(const struct edge *edge)
+/* The box around an edge, lengthened. */
+static struct float_box
+box_around_edge(const struct edge *edge)
 {
 	struct tcs_point along = vector_difference(edge->to, edge->from);
 
-	return (struct edge){edge->corner,
-		vector_along(edge->from, along, -BUFFER),
-		vector_along(edge->to, along, BUFFER)};
-}
-
-/* Where a lengthened edge passes through a face, if it does. `from` and `to`
-   are the heights of the edge's ends. */
-static bool
-is_pierced(const struct look *look, uint32_t face, const struct edge *edge,
-	double from, double to, struct tcs_point *at)
-{
-	struct triangle_shape shape = shape_of(look, face);
-
-	*at = vector_along(edge->from, vector_difference(edge->to, edge->from),
-		from / (from - to));
-	return triangle_is_above(
-		&shape, look->scene->sheets->normals.at[face], *at);
+	return float_box_around(vector_along(edge->from, along, -BUFFER),
+		vector_along(edge->to, along, BUFFER), 0);
 }
 
 /* How far a place is off the edge, `t` of its length from where it begins. */
@@ -297,51 +280,53 @@ off_edge(const struct edge *edge, double t)
 	return beyond * vector_length(vector_difference(edge->to, edge->from));
 }
 
-/* The end that lies inside is a boundary vertex. */
+/* Where a lengthened edge passes through a face: the end that lies inside is a
+   boundary vertex. */
 static enum tcs_status
 pierce(struct look *look, const struct edge *edge, uint32_t face)
 {
+	const struct triangle_shape *shape = &face_at(look, face)->shape;
 	struct tcs_point normal = look->scene->sheets->normals.at[face];
-	double base = vector_dot(normal, position_at(look, 3 * face));
+	double base = vector_dot(normal, shape->corner[0]);
 	double from = vector_dot(normal, edge->from) - base;
 	double to = vector_dot(normal, edge->to) - base;
-	double more = BUFFER * (to - from);
-	uint32_t corner = edge->corner;
+	double more = BUFFER * (to - from), t;
+	uint32_t inside = to >= from ? edge->k : next_of(edge->k);
 	enum tcs_status status;
 	struct tcs_point at;
 
-	if ((from - more < 0) == (to + more < 0) ||
-		!is_pierced(look, face, edge, from, to, &at))
+	if ((from - more < 0) == (to + more < 0))
+		return TCS_OK;
+	t = from / (from - to);
+	at = vector_along(
+		edge->from, vector_difference(edge->to, edge->from), t);
+	if (!triangle_is_above(shape, normal, at))
 		return TCS_OK;
 	look->touching |= (from < 0) != (to < 0);
-	status = add_place(look, at, (uint32_t[]){corner / 3, face},
-		(double[]){off_edge(edge, from / (from - to)), 0});
+	status = add_place(look, at, (uint32_t[]){edge->face, face},
+		(double[]){off_edge(edge, t), 0});
 	if (!status)
-		status = add_plane(look,
-			node_at(look,
-				to >= from ? corner : next_corner(corner)),
-			face);
-	return status ? status : add_embedded(look, corner, face);
+		status = add_plane(
+			look, face_at(look, edge->face)->nodes[inside], face);
+	return status ? status
+		      : add_embedded(look, 3 * edge->face + edge->k, face);
 }
 
 static enum tcs_status
-ask_edge(struct look *look, uint32_t corner)
+ask_edge(struct look *look, const struct edge *edge)
 {
 	const struct face_list *there = &look->touches->there;
-	struct edge edge, longer;
+	const uint32_t *nodes = face_at(look, edge->face)->nodes;
 	struct float_box box;
 	enum tcs_status status;
 
-	if (has_met(look, node_at(look, corner)) &&
-		has_met(look, node_at(look, next_corner(corner))))
+	if (has_met(look, nodes[edge->k]) &&
+		has_met(look, nodes[next_of(edge->k)]))
 		return TCS_OK;
-	edge = edge_at(look, corner);
-	longer = lengthened(&edge);
-	box = float_box_around(longer.from, longer.to, 0);
+	box = box_around_edge(edge);
 	status = list_near(look, &box, &look->touches->there);
-
 	for (size_t i = 0; !status && i < there->count; i++)
-		status = pierce(look, &edge, there->at[i]);
+		status = pierce(look, edge, there->at[i]);
 	return status;
 }
 
@@ -350,15 +335,16 @@ ask_edge(struct look *look, uint32_t corner)
 static enum tcs_status
 compare_edges(struct look *look, const struct edge *edge, uint32_t face)
 {
+	uint32_t asks = face_at(look, face)->asks;
 	double reach = look->scene->reach;
 	enum tcs_status status = TCS_OK;
 
-	for (uint32_t i = 3 * face; !status && i < 3 * face + 3; i++) {
-		struct edge other = edge_at(look, i);
+	for (uint32_t k = 0; !status && k < 3; k++) {
+		struct edge other = edge_at(look, face, k);
 		struct tcs_point points[2];
 		double gap;
 
-		if (!is_asked(look, i))
+		if (!(asks >> k & TOUCH_EDGE))
 			continue;
 		gap = segment_gap((struct tcs_point[]){edge->from, edge->to},
 			(struct tcs_point[]){other.from, other.to}, points);
@@ -366,23 +352,21 @@ compare_edges(struct look *look, const struct edge *edge, uint32_t face)
 			continue;
 		look->touching = true;
 		status = add_place(look, points[0],
-			(uint32_t[]){edge->corner / 3, face},
-			(double[]){0, gap});
+			(uint32_t[]){edge->face, face}, (double[]){0, gap});
 	}
 	return status;
 }
 
 static enum tcs_status
-ask_near_edges(struct look *look, uint32_t corner)
+ask_near_edges(struct look *look, const struct edge *edge)
 {
-	struct edge edge = edge_at(look, corner);
 	struct float_box box =
-		float_box_around(edge.from, edge.to, look->scene->reach);
+		float_box_around(edge->from, edge->to, look->scene->reach);
 	const struct face_list *there = &look->touches->there;
 	enum tcs_status status = list_near(look, &box, &look->touches->there);
 
 	for (size_t i = 0; !status && i < there->count; i++)
-		status = compare_edges(look, &edge, there->at[i]);
+		status = compare_edges(look, edge, there->at[i]);
 	return status;
 }
 
@@ -400,12 +384,26 @@ box_around_component(const struct look *look, uint32_t component)
 }
 
 static bool
-is_first_corner(const struct look *look, uint32_t corner)
+range_meets(double a, double b, float low, float high)
 {
-	return look->scene->node_corners[node_at(look, corner)] == corner;
+	double least = a < b ? a : b, most = a < b ? b : a;
+
+	return least <= (double)high && most >= (double)low;
 }
 
-typedef enum tcs_status ask(struct look *look, uint32_t corner);
+/* Whether the box around an edge meets another. */
+static bool
+edge_is_near(const struct edge *edge, const struct float_box *box)
+{
+	return range_meets(
+		       edge->from.x, edge->to.x, box->low[0], box->high[0]) &&
+		range_meets(
+			edge->from.y, edge->to.y, box->low[1], box->high[1]) &&
+		range_meets(
+			edge->from.z, edge->to.z, box->low[2], box->high[2]);
+}
+
+typedef enum tcs_status ask(struct look *look, const struct edge *edge);
 
 /* Every edge of the faces listed whose box meets that of the other side. */
 static enum tcs_status
@@ -414,17 +412,16 @@ ask_edges(struct look *look, const struct float_box *other, ask *ask_one)
 	const struct face_list *near = &look->touches->near;
 	enum tcs_status status = TCS_OK;
 
-	for (size_t i = 0; !status && i < 3 * near->count; i++) {
-		uint32_t corner = 3 * near->at[i / 3] + (uint32_t)(i % 3);
-		struct float_box box;
-		struct edge edge;
+	for (size_t i = 0; i < near->count; i++) {
+		uint32_t asks = face_at(look, near->at[i])->asks;
 
-		if (!is_asked(look, corner))
-			continue;
-		edge = edge_at(look, corner);
-		box = float_box_around(edge.from, edge.to, 0);
-		if (float_boxes_meet(&box, other))
-			status = ask_one(look, corner);
+		for (uint32_t k = 0; !status && k < 3; k++) {
+			struct edge edge = edge_at(look, near->at[i], k);
+
+			if (asks >> k & TOUCH_EDGE &&
+				edge_is_near(&edge, other))
+				status = ask_one(look, &edge);
+		}
 	}
 	return status;
 }
@@ -435,12 +432,13 @@ ask_vertices(struct look *look, const struct float_box *other)
 	const struct face_list *near = &look->touches->near;
 	enum tcs_status status = TCS_OK;
 
-	for (size_t i = 0; !status && i < 3 * near->count; i++) {
-		uint32_t corner = 3 * near->at[i / 3] + (uint32_t)(i % 3);
+	for (size_t i = 0; i < near->count; i++) {
+		const struct touch_face *face = face_at(look, near->at[i]);
 
-		if (is_first_corner(look, corner) &&
-			float_box_holds(other, position_at(look, corner)))
-			status = ask_vertex(look, corner);
+		for (uint32_t k = 0; !status && k < 3; k++)
+			if (face->asks >> k & TOUCH_VERTEX &&
+				float_box_holds(other, face->shape.corner[k]))
+				status = ask_vertex(look, near->at[i], k);
 	}
 	return status;
 }

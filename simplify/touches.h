@@ -33,14 +33,30 @@ struct touch_plane {
 	uint32_t node, component, face; /* the latter two of the other */
 };
 
+/* A face with all that is asked of it in one place. */
+struct touch_face {
+	struct triangle_shape shape;
+	uint32_t nodes[3];
+	/* Of each corner, TOUCH_VERTEX: its node is asked here; TOUCH_EDGE: its
+	   edge is; each once, k bits up for corner k. */
+	uint32_t asks;
+};
+
+enum { TOUCH_VERTEX = 1, TOUCH_EDGE = 8 };
+
 /* What is looked at; all borrowed. */
 struct touch_scene {
 	const struct component_set *set;
 	const struct sheets *sheets;
+	const struct touch_face *faces; /* as those of the sheets */
 	const struct face_boxes *boxes;
-	const uint32_t *node_corners; /* per node: its first corner */
 	double reach; /* metres */
 };
+
+/* Fill in the faces; there is room. Fails with TCS_NO_MEMORY. */
+enum tcs_status touch_faces_fill(struct touch_face *faces,
+	const struct component_set *set, const struct sheets *sheets,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /* All zero is empty. */
 struct touches {
