@@ -69,8 +69,8 @@ turns_right(struct flat a, struct flat b)
 	return a.x * b.y - a.y * b.x < 0;
 }
 
-/* A bit for each edge, from corner i to the next, that has the point on its
-   right, projected on the plane. */
+/* A bit for each edge, from corner i to the next, that has a point of the plane
+   on its right. */
 static inline unsigned
 edges_left_of(const struct triangle_shape *t, struct tcs_point normal,
 	struct tcs_point point)
@@ -85,11 +85,24 @@ edges_left_of(const struct triangle_shape *t, struct tcs_point normal,
 		(unsigned)turns_right(from[2], from[0]) << 2;
 }
 
+/* The point on the plane below another; `square` is the normal's, not 0. */
+static inline struct tcs_point
+foot_of(const struct triangle_shape *t, struct tcs_point normal, double square,
+	struct tcs_point point)
+{
+	return vector_along(point, normal,
+		-vector_dot(normal, vector_difference(point, t->corner[0])) /
+			square);
+}
+
 bool
 triangle_is_above(const struct triangle_shape *t, struct tcs_point normal,
 	struct tcs_point point)
 {
-	return !edges_left_of(t, normal, point);
+	double square = vector_dot(normal, normal);
+
+	return !(square > 0) ||
+		!edges_left_of(t, normal, foot_of(t, normal, square, point));
 }
 
 /* Only an edge that has the point on its outer side can be nearest. */
@@ -98,14 +111,16 @@ triangle_nearest_along(const struct triangle_shape *t, struct tcs_point normal,
 	struct tcs_point point)
 {
 	double square = vector_dot(normal, normal), least = INFINITY;
-	unsigned edges = square > 0 ? edges_left_of(t, normal, point) : 7;
 	struct tcs_point best = t->corner[0];
+	unsigned edges = 7;
 
-	if (!edges)
-		return vector_along(point, normal,
-			-vector_dot(normal,
-				vector_difference(point, t->corner[0])) /
-				square);
+	if (square > 0) {
+		struct tcs_point foot = foot_of(t, normal, square, point);
+
+		edges = edges_left_of(t, normal, foot);
+		if (!edges)
+			return foot;
+	}
 	for (int i = 0; i < 3; i++) {
 		struct tcs_point at;
 		double distance;
