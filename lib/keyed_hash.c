@@ -2,7 +2,6 @@
 
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 __extension__ typedef unsigned __int128 wide;
 
@@ -58,14 +57,13 @@ hash_key_new(void)
 {
 	struct hash_key key = {{0, 0}};
 	struct timespec now = {0, 0};
-	uint64_t seed[5];
+	uint64_t seed[4];
 
 	clock_gettime(CLOCK_REALTIME, &now);
 	seed[0] = (uint64_t)now.tv_sec;
 	seed[1] = (uint64_t)now.tv_nsec;
-	seed[2] = (uint64_t)getpid();
-	seed[3] = (uint64_t)(uintptr_t)&key;
-	seed[4] = (uint64_t)(uintptr_t)&hash_key_new;
+	seed[2] = (uint64_t)(uintptr_t)&key;
+	seed[3] = (uint64_t)(uintptr_t)&hash_key_new;
 	key.words[0] = keyed_hash(&key, seed, sizeof seed);
 	key.words[1] = keyed_hash(&key, seed, sizeof seed);
 	return key;

@@ -45,7 +45,8 @@ count_find(struct report *report, const char *name)
 		if (report->counts.at[i].name == name)
 			return &report->counts.at[i];
 	for (size_t i = 0; i < report->counts.count; i++)
-		if (!strcmp(report->counts.at[i].name, name))
+		if (*report->counts.at[i].name == *name &&
+			!strcmp(report->counts.at[i].name, name))
 			return &report->counts.at[i];
 	return NULL;
 }

@@ -44,13 +44,15 @@ object_clear(struct tcs_object *object)
 	array_clear(&object->instances);
 }
 
+/* How every array of bytes looks. */
+TCS_ARRAY_TYPE(byte_view, char);
+
 enum tcs_status
 text_append_to(void *text_array, const char *string, size_t length,
 	tcs_text *out, struct tcs_fault *fault)
 {
-	struct tcs_array text;
+	struct byte_view text;
 	size_t start;
-	char *at;
 
 	*out = 0;
 	if (!length)
@@ -60,13 +62,11 @@ text_append_to(void *text_array, const char *string, size_t length,
 	if (length >= UINT32_MAX || start > UINT32_MAX - length - 1)
 		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
 			"the text of one record exceeds 4 GiB");
-	if (array_grow_bytes(text_array, 1, length + 2))
+	if (array_grow(&text, length + 2))
 		return fault_memory(fault);
-	memcpy(&text, text_array, sizeof text);
-	at = text.at;
-	at[0] = '\0';
-	memcpy(at + start, string, length);
-	at[start + length] = '\0';
+	text.at[0] = '\0';
+	memcpy(text.at + start, string, length);
+	text.at[start + length] = '\0';
 	text.count = start + length + 1;
 	memcpy(text_array, &text, sizeof text);
 	*out = (tcs_text)start;

@@ -63,6 +63,12 @@ begins_name(char byte)
 		(byte < '0' || byte > '9');
 }
 
+static bool
+is_xmlns(const char *text)
+{
+	return text && !strcmp(text, "xmlns");
+}
+
 static int
 spelling_part(struct namespaces *namespaces, struct spelling *spelling)
 {
@@ -77,6 +83,8 @@ spelling_part(struct namespaces *namespaces, struct spelling *spelling)
 		local = colon + 1;
 	}
 	spelling->local = intern(namespaces, local, strlen(local));
+	spelling->declares =
+		is_xmlns(spelling->prefix ? spelling->prefix : spelling->local);
 	return spelling->local ? 0 : -1;
 }
 
@@ -103,20 +111,6 @@ spelling_find(struct namespaces *namespaces, const char *spelled)
 }
 
 /* ---- declarations -------------------------------------------------------------- */
-
-static bool
-is_xmlns(const char *text)
-{
-	return text && !strcmp(text, "xmlns");
-}
-
-bool
-spelling_declares(const struct spelling *spelling)
-{
-	return spelling->local[0] == 'x' && !spelling->prefix
-		? is_xmlns(spelling->local)
-		: is_xmlns(spelling->prefix);
-}
 
 static const struct namespace_binding *
 binding_find(const struct namespaces *namespaces, const char *prefix)

@@ -23,6 +23,7 @@ struct spelling {
 	const char *spelled; /* by libxml2; NULL: a free slot */
 	const char *prefix; /* NULL for none */
 	const char *local;
+	bool declares; /* as an attribute: it is "xmlns" or "xmlns:…" */
 	struct name *name; /* in this scope; NULL: not looked up */
 	uint64_t scope;
 };
@@ -53,11 +54,8 @@ void namespaces_release(struct namespaces *namespaces);
 struct spelling *spelling_find(
 	struct namespaces *namespaces, const char *spelled);
 
-/* Of an attribute: whether it is "xmlns" or "xmlns:…". */
-bool spelling_declares(const struct spelling *spelling);
-
 /*
- * The element at this depth has such an attribute, of this value. What must not
+ * The element at this depth has an attribute that declares, of this value. What must not
  * be declared is not. Fails with TCS_NO_MEMORY, and with TCS_LIMIT beyond
  * MAX_BINDINGS that are in force.
  */

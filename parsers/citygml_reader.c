@@ -303,7 +303,8 @@ gml_characters(void *context, const char *bytes, size_t length,
 	struct gml_reader *reader = context;
 	struct frame *top = gml_top(reader);
 
-	if (!top->wants_text)
+	if (!top->wants_text ||
+		(top->has_children && attribute_may_come_of(top)))
 		return TCS_OK;
 	if (top->role == ROLE_GEOMETRY)
 		return geometry_text(reader, bytes, length, fault);

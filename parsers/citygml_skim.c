@@ -12,25 +12,30 @@ enum {
 
 /* ---- a quick look ----------------------------------------------------------- */
 
-static const char appearance[] = "appearance", city_object[] = "cityObject";
+enum { MEMBER_NAME_LENGTH = 16 };
 
-enum { MEMBER_NAME_LENGTH = 16 }; /* of both, with "Member" */
+static const struct member_name {
+	char name[MEMBER_NAME_LENGTH + 1];
+	unsigned char rarest; /* letter, in CityGML */
+} appearance = {"appearanceMember", 10}, city_object = {"cityObjectMember", 4};
 
-/* The first of these member names, found by its rarest letter, or NULL. */
+/* The first such name, found by its rarest letter, or NULL. */
 static const char *
-member_name_find(const char *at, const char *end, const char *kind)
+member_name_find(
+	const char *at, const char *end, const struct member_name *member)
 {
-	const size_t ahead = 10, behind_letter = 5;
+	const size_t before = member->rarest;
+	const size_t after = MEMBER_NAME_LENGTH - 1 - before;
 
 	if (end - at < MEMBER_NAME_LENGTH)
 		return NULL;
-	for (at += ahead; at < end - behind_letter; at++) {
-		at = memchr(at, 'M', (size_t)(end - behind_letter - at));
+	for (at += before; at < end - after; at++) {
+		at = memchr(
+			at, member->name[before], (size_t)(end - after - at));
 		if (!at)
 			return NULL;
-		if (!memcmp(at - ahead, kind, ahead) &&
-			!memcmp(at + 1, "ember", behind_letter))
-			return at - ahead;
+		if (!memcmp(at - before, member->name, MEMBER_NAME_LENGTH))
+			return at - before;
 	}
 	return NULL;
 }
@@ -79,7 +84,7 @@ look_quickly(struct skim_bytes *bytes, struct input *input, bool *found,
 		if (status)
 			return status;
 		*found = member_name_find(bytes->at, bytes->at + bytes->count,
-				 appearance) ||
+				 &appearance) ||
 			memchr(bytes->at, 0, bytes->count);
 	}
 	return TCS_OK;
@@ -359,7 +364,7 @@ member_skip(
 			skim->declared = true;
 		}
 		mark = skim->declaration;
-		name = member_name_find(at, mark ? mark : end, city_object);
+		name = member_name_find(at, mark ? mark : end, &city_object);
 		tag = name ? tag_of_name(at, name) : NULL;
 		*rest = tag ? tag : name ? name : mark ? mark : end;
 		if (tag)

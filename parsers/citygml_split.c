@@ -13,7 +13,7 @@ enum {
 void
 splitter_release(struct splitter *splitter)
 {
-	array_release(&splitter->rest);
+	array_release(&splitter->held);
 }
 
 /* ---- tags -------------------------------------------------------------------- */
@@ -50,11 +50,20 @@ is_member_name(const char *name, size_t length)
 	return false;
 }
 
-/* Behind the end tag of this name, looked for by its rarest letter; or NULL. */
+/* Where the rarest letter of a member's name stands in it. */
+static const char *
+rarest_letter(const char *name, size_t length)
+{
+	const char *letter = memchr(name, 'O', length);
+
+	return letter ? letter : memchr(name, 'M', length);
+}
+
+/* Behind the end tag of this name, or NULL. */
 static const char *
 end_tag_find(const char *name, size_t length, const char *at, const char *end)
 {
-	const char *letter = memchr(name, 'M', length);
+	const char *letter = rarest_letter(name, length);
 	const size_t before = (size_t)(letter - name) + 2;
 	const size_t after = length + 2 - before;
 
@@ -63,7 +72,7 @@ end_tag_find(const char *name, size_t length, const char *at, const char *end)
 	for (at += before; (size_t)(end - at) > after; at++) {
 		const char *tag, *close;
 
-		at = memchr(at, 'M', (size_t)(end - at) - after);
+		at = memchr(at, *letter, (size_t)(end - at) - after);
 		if (!at)
 			return NULL;
 		tag = at - before;
@@ -103,17 +112,28 @@ member_find(const char *at, const char *end, bool *found)
 /* A walk over the bytes at hand. */
 struct split {
 	struct splitter *splitter;
-	const struct document_bytes *bytes;
 	struct document_pieces *pieces;
 	size_t done; /* in pieces */
 	size_t members;
 };
 
+static const char *
+split_at(const struct split *split)
+{
+	return split->splitter->held.at + split->splitter->first + split->done;
+}
+
+static const char *
+split_end(const struct split *split)
+{
+	return split->splitter->held.at + split->splitter->held.count;
+}
+
 static enum tcs_status
 piece_add(struct split *split, const char *end, bool is_member,
 	struct tcs_fault *fault)
 {
-	const char *at = split->bytes->at + split->done;
+	const char *at = split_at(split);
 	size_t length = (size_t)(end - at);
 
 	if (!length)
@@ -138,8 +158,7 @@ piece_add(struct split *split, const char *end, bool is_member,
 static enum tcs_status
 other_add(struct split *split, bool *more, struct tcs_fault *fault)
 {
-	const char *at = split->bytes->at + split->done;
-	const char *end = split->bytes->at + split->bytes->count;
+	const char *at = split_at(split), *end = split_end(split);
 	const char *cut = end;
 	bool found = false;
 
@@ -155,8 +174,7 @@ other_add(struct split *split, bool *more, struct tcs_fault *fault)
 static enum tcs_status
 piece_next(struct split *split, bool *more, struct tcs_fault *fault)
 {
-	const char *at = split->bytes->at + split->done;
-	const char *end = split->bytes->at + split->bytes->count;
+	const char *at = split_at(split), *end = split_end(split);
 	const char *tag = at;
 	const char *member_end;
 	size_t length;
@@ -182,36 +200,48 @@ piece_next(struct split *split, bool *more, struct tcs_fault *fault)
 /* ---- bytes ------------------------------------------------------------------- */
 
 static enum tcs_status
-bytes_read(struct split *split, struct document_bytes *bytes,
-	struct tcs_fault *fault)
+bytes_read(struct splitter *splitter, struct tcs_fault *fault)
 {
-	size_t room = bytes->count < READ_MIN ? READ_MIN : bytes->count;
+	struct document_bytes *held = &splitter->held;
+	size_t room, got;
 	enum tcs_status status;
-	size_t got;
 
-	if (array_grow(bytes, room + 1))
+	held->count -= splitter->first;
+	if (splitter->first && held->count)
+		memmove(held->at, held->at + splitter->first, held->count);
+	splitter->first = 0;
+	room = held->count < READ_MIN ? READ_MIN : held->count;
+	if (array_grow(held, room))
 		return fault_memory(fault);
-	status = input_read(split->splitter->input, bytes->at + bytes->count,
-		room, &got, fault);
-	bytes->count += got;
-	split->splitter->ended = !status && !got;
+	status = input_read(
+		splitter->input, held->at + held->count, room, &got, fault);
+	held->count += got;
+	splitter->ended = !status && !got;
 	return status;
 }
 
-/* What is in no piece waits for more. */
+/* What is in pieces goes to the caller. */
 static enum tcs_status
-rest_keep(struct split *split, struct tcs_fault *fault)
+pieces_take(const struct split *split, struct document_bytes *bytes,
+	struct tcs_fault *fault)
 {
-	struct document_bytes *rest = &split->splitter->rest;
-	size_t length = split->bytes->count - split->done;
+	struct splitter *splitter = split->splitter;
 
-	rest->count = 0;
-	if (array_grow(rest, length))
+	bytes->count = 0;
+	if (array_grow(bytes, split->done + 1))
 		return fault_memory(fault);
-	if (length)
-		memcpy(rest->at, split->bytes->at + split->done, length);
-	rest->count = length;
+	if (split->done)
+		memcpy(bytes->at, splitter->held.at + splitter->first,
+			split->done);
+	bytes->count = split->done;
+	splitter->first += split->done;
 	return TCS_OK;
+}
+
+static bool
+is_over(const struct splitter *splitter)
+{
+	return splitter->ended && splitter->first == splitter->held.count;
 }
 
 enum tcs_status
@@ -219,24 +249,19 @@ split_next(struct splitter *splitter, size_t most_members,
 	struct document_bytes *bytes, struct document_pieces *pieces,
 	struct tcs_fault *fault)
 {
-	struct split split = {splitter, bytes, pieces, 0, 0};
+	struct split split = {splitter, pieces, 0, 0};
 	enum tcs_status status = TCS_OK;
 
-	pieces->count = bytes->count = 0;
-	if (array_grow(bytes, splitter->rest.count + 1))
-		return fault_memory(fault);
-	if (splitter->rest.count)
-		memcpy(bytes->at, splitter->rest.at, splitter->rest.count);
-	bytes->count = splitter->rest.count;
-	while (!status && !pieces->count &&
-		(bytes->count || !splitter->ended)) {
-		bool more = bytes->count;
+	pieces->count = 0;
+	while (!status && !pieces->count && !is_over(splitter)) {
+		bool more = true;
 
-		while (!status && more && split.done < bytes->count &&
+		while (!status && more &&
+			split_at(&split) < split_end(&split) &&
 			split.members < most_members)
 			status = piece_next(&split, &more, fault);
 		if (!status && !pieces->count)
-			status = bytes_read(&split, bytes, fault);
+			status = bytes_read(splitter, fault);
 	}
-	return status ? status : rest_keep(&split, fault);
+	return status ? status : pieces_take(&split, bytes, fault);
 }

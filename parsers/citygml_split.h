@@ -15,8 +15,9 @@ TCS_ARRAY_TYPE(document_pieces, struct document_piece);
 /* All zero but for the input, of which nothing was read. */
 struct splitter {
 	struct input *input;
-	struct document_bytes rest; /* read, and in no piece yet */
-	uint64_t at, lines; /* before these bytes */
+	struct document_bytes held;
+	size_t first; /* of these that is in no piece yet */
+	uint64_t at, lines; /* before it */
 	uint64_t max_member; /* a longer one is cut anywhere */
 	bool ended; /* nothing is left to read */
 };

@@ -55,7 +55,7 @@ xml_take_attributes(struct xml_parser *parser, const xmlChar **given)
 
 		if (!spelling || array_grow(&parser->attributes, 1))
 			return fault_memory(&parser->fault);
-		if (!spelling_declares(spelling))
+		if (!spelling->declares)
 			parser->attributes.at[parser->attributes.count++] =
 				(struct xml_attribute){
 					.local = spelling->local,
