@@ -56,23 +56,3 @@ array_release_bytes(void *array)
 		free(view.at);
 	memset(array, 0, sizeof view);
 }
-
-void
-array_clear_bytes(void *array)
-{
-	struct tcs_array view = array_view(array);
-
-	if (!view.room)
-		view.at = NULL;
-	view.count = 0;
-	memcpy(array, &view, sizeof view);
-}
-
-void
-array_trim_bytes(void *array, size_t size)
-{
-	if (array_view(array).room > ARRAY_KEPT / size)
-		array_release_bytes(array);
-	else
-		array_clear_bytes(array);
-}

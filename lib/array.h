@@ -57,8 +57,8 @@ struct tcs_array {
 
 /* Forget the elements, keep the room. A lent array becomes empty. */
 #define array_clear(array) \
-	((array)->room ? (void)((array)->count = 0) \
-		       : array_clear_bytes((array)))
+	((array)->count = 0, \
+		(array)->room ? (void)0 : (void)((array)->at = NULL))
 
 /*
  * Forget the elements, and give back the memory where it is more than 1 MB: for
@@ -67,13 +67,11 @@ struct tcs_array {
 #define array_trim(array) \
 	((array)->room && (array)->room <= ARRAY_KEPT / sizeof *(array)->at \
 			? (void)((array)->count = 0) \
-			: array_trim_bytes((array), sizeof *(array)->at))
+			: array_release_bytes((array)))
 
 enum { ARRAY_KEPT = 1 << 20 }; /* bytes */
 
 int array_grow_bytes(void *array, size_t size, size_t more) TCS_CHECKED;
 void array_release_bytes(void *array);
-void array_clear_bytes(void *array);
-void array_trim_bytes(void *array, size_t size);
 
 #endif

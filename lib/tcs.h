@@ -37,6 +37,9 @@
 /* Byte offset of a string in the record's text; 0 is "absent". */
 typedef uint32_t tcs_text;
 
+/* The text of a record: one string behind the other, each with its NUL. */
+TCS_ARRAY_TYPE(tcs_strings, char);
+
 /* ---- objects --------------------------------------------------------- */
 
 /*
@@ -233,7 +236,7 @@ struct tcs_instance {
  * caller and reused: all zero is empty, object_clear keeps the room.
  */
 struct tcs_object {
-	TCS_ARRAY(char) text;
+	struct tcs_strings text;
 	TCS_ARRAY(struct tcs_feature) features;
 	TCS_ARRAY(struct tcs_attribute) attributes;
 	TCS_ARRAY(struct tcs_relation) relations;
@@ -261,7 +264,7 @@ const char *object_text(const struct tcs_object *object, tcs_text text);
  */
 #define text_append(record, string, length, out, fault) \
 	text_append_to(&(record)->text, (string), (length), (out), (fault))
-enum tcs_status text_append_to(void *text_array, const char *string,
+enum tcs_status text_append_to(struct tcs_strings *text, const char *string,
 	size_t length, tcs_text *out, struct tcs_fault *fault) TCS_CHECKED;
 
 /* ---- the head -------------------------------------------------------- */
@@ -320,7 +323,7 @@ struct tcs_model {
 };
 
 struct tcs_head {
-	TCS_ARRAY(char) text;
+	struct tcs_strings text;
 	TCS_ARRAY(struct tcs_crs) crs; /* exactly one */
 	TCS_ARRAY(struct tcs_source) sources;
 	TCS_ARRAY(struct tcs_model) models;
@@ -374,7 +377,7 @@ struct tcs_material {
  * the stream is the n-th entry, from 0, over all palettes so far.
  */
 struct tcs_palette {
-	TCS_ARRAY(char) text;
+	struct tcs_strings text;
 	TCS_ARRAY(struct tcs_image) images;
 	TCS_ARRAY(struct tcs_material) materials;
 	TCS_ARRAY(unsigned char) bytes;

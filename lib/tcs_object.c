@@ -44,31 +44,24 @@ object_clear(struct tcs_object *object)
 	array_clear(&object->instances);
 }
 
-/* How every array of bytes looks. */
-TCS_ARRAY_TYPE(byte_view, char);
-
 enum tcs_status
-text_append_to(void *text_array, const char *string, size_t length,
+text_append_to(struct tcs_strings *text, const char *string, size_t length,
 	tcs_text *out, struct tcs_fault *fault)
 {
-	struct byte_view text;
-	size_t start;
+	size_t start = text->count ? text->count : 1;
 
 	*out = 0;
 	if (!length)
 		return TCS_OK;
-	memcpy(&text, text_array, sizeof text);
-	start = text.count ? text.count : 1;
 	if (length >= UINT32_MAX || start > UINT32_MAX - length - 1)
 		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
 			"the text of one record exceeds 4 GiB");
-	if (array_grow(&text, length + 2))
+	if (array_grow(text, length + 2))
 		return fault_memory(fault);
-	text.at[0] = '\0';
-	memcpy(text.at + start, string, length);
-	text.at[start + length] = '\0';
-	text.count = start + length + 1;
-	memcpy(text_array, &text, sizeof text);
+	text->at[0] = '\0';
+	memcpy(text->at + start, string, length);
+	text->at[start + length] = '\0';
+	text->count = start + length + 1;
 	*out = (tcs_text)start;
 	return TCS_OK;
 }

@@ -117,7 +117,7 @@ json_get_array(struct json_place *place, const json_t *object, const char *key,
 
 static enum tcs_status
 get_text(struct json_place *place, const struct tcs_field *field,
-	const json_t *value, void *element, void *text_array)
+	const json_t *value, void *element, struct tcs_strings *text_array)
 {
 	enum tcs_status status;
 	tcs_text text;
@@ -287,7 +287,7 @@ get_count(struct json_place *place, const struct tcs_field *field,
 
 static enum tcs_status
 get_field(struct json_place *place, const struct tcs_field *field,
-	const json_t *value, void *element, void *text_array)
+	const json_t *value, void *element, struct tcs_strings *text_array)
 {
 	switch (field->type) {
 	case FIELD_TEXT:
@@ -329,7 +329,7 @@ is_listed(const char *const *names, const char *name)
 enum tcs_status
 json_get_fields(struct json_place *place, const json_t *value,
 	const struct tcs_fields *fields, const char *const *nested,
-	void *element, void *text_array)
+	void *element, struct tcs_strings *text_array)
 {
 	const char *key;
 	json_t *item;

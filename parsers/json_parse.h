@@ -58,6 +58,6 @@ enum tcs_status json_get_array(struct json_place *place, const json_t *object,
  */
 enum tcs_status json_get_fields(struct json_place *place, const json_t *value,
 	const struct tcs_fields *fields, const char *const *nested,
-	void *element, void *text_array) TCS_CHECKED;
+	void *element, struct tcs_strings *text_array) TCS_CHECKED;
 
 #endif
