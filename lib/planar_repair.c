@@ -7,6 +7,7 @@ struct repair {
 	const struct tcs_point *vertices;
 	size_t vertex_count; /* without the extra ones */
 	struct triangle_list *out;
+	struct planar_rings *rings; /* in its stead, for outlines */
 	struct point_list *extra;
 	struct tcs_triangle corners; /* of the triangle that arrives */
 	unsigned corner_count;
@@ -41,6 +42,31 @@ on_vertex(void *handle, void *context)
 		return;
 	}
 	repair->out->at[repair->out->count++] = repair->corners;
+}
+
+static void GLAPIENTRY
+on_ring_vertex(void *handle, void *context)
+{
+	struct repair *repair = context;
+	struct planar_rings *rings = repair->rings;
+
+	if (array_grow(&rings->vertices, 1))
+		repair->no_memory = true;
+	else
+		rings->vertices.at[rings->vertices.count++] = vertex_of(handle);
+}
+
+static void GLAPIENTRY
+on_ring_end(void *context)
+{
+	struct repair *repair = context;
+	struct planar_rings *rings = repair->rings;
+
+	if (array_grow(&rings->ends, 1))
+		repair->no_memory = true;
+	else
+		rings->ends.at[rings->ends.count++] =
+			(uint32_t)rings->vertices.count;
 }
 
 /* A callback for edge flags makes GLU give separate triangles. */
@@ -159,10 +185,18 @@ tessellate(struct repair *repair, double grid, GLUtesselator *tessellator)
 	gluTessProperty(
 		tessellator, GLU_TESS_WINDING_RULE, GLU_TESS_WINDING_ODD);
 	gluTessNormal(tessellator, 0, 0, 1);
-	gluTessCallback(
-		tessellator, GLU_TESS_VERTEX_DATA, (_GLUfuncptr)on_vertex);
-	gluTessCallback(tessellator, GLU_TESS_EDGE_FLAG_DATA,
-		(_GLUfuncptr)on_edge_flag);
+	if (repair->rings) {
+		gluTessProperty(tessellator, GLU_TESS_BOUNDARY_ONLY, GL_TRUE);
+		gluTessCallback(tessellator, GLU_TESS_VERTEX_DATA,
+			(_GLUfuncptr)on_ring_vertex);
+		gluTessCallback(tessellator, GLU_TESS_END_DATA,
+			(_GLUfuncptr)on_ring_end);
+	} else {
+		gluTessCallback(tessellator, GLU_TESS_VERTEX_DATA,
+			(_GLUfuncptr)on_vertex);
+		gluTessCallback(tessellator, GLU_TESS_EDGE_FLAG_DATA,
+			(_GLUfuncptr)on_edge_flag);
+	}
 	gluTessCallback(
 		tessellator, GLU_TESS_COMBINE_DATA, (_GLUfuncptr)on_combine);
 	gluTessCallback(
@@ -231,4 +265,31 @@ planar_repair(struct planar *polygon, const struct tcs_point *vertices,
 	triangles_check(&repair, first);
 	*sound = !repair.unsound;
 	return TCS_OK;
+}
+
+enum tcs_status
+planar_outline(struct planar *polygon, const struct tcs_point *vertices,
+	double grid, struct planar_rings *out, struct point_list *extra,
+	bool *sound, struct tcs_fault *fault)
+{
+	struct repair repair = {.polygon = polygon,
+		.vertices = vertices,
+		.vertex_count = polygon->points.count,
+		.rings = out,
+		.extra = extra};
+	GLUtesselator *tessellator = gluNewTess();
+
+	if (!tessellator)
+		return fault_memory(fault);
+	tessellate(&repair, grid, tessellator);
+	gluDeleteTess(tessellator);
+	*sound = !repair.unsound;
+	return repair.no_memory ? fault_memory(fault) : TCS_OK;
+}
+
+void
+planar_rings_release(struct planar_rings *rings)
+{
+	array_release(&rings->vertices);
+	array_release(&rings->ends);
 }

@@ -144,7 +144,10 @@ faces_inside(struct ifc_shaper *shaper, uint32_t profile, struct ifc_faces *out)
 	case IFC_ARBITRARYCLOSEDPROFILEDEF:
 	case IFC_ARBITRARYPROFILEDEFWITHVOIDS:
 		outcome = arbitrary(shaper, profile, out);
-		return outcome ? outcome : ifc_face_end(shaper, out);
+		if (!outcome)
+			outcome = ifc_face_end(shaper, out);
+		return outcome ? outcome
+			       : ifc_profile_untangle(shaper, profile, out);
 	case IFC_CENTERLINEPROFILEDEF:
 		return ifc_profile_strip(shaper, profile, out);
 	case IFC_COMPOSITEPROFILEDEF:

@@ -23,6 +23,18 @@ enum ifc_outcome ifc_profile_faces(struct ifc_shaper *shaper, uint32_t profile,
 bool ifc_profile_number(const struct ifc_file *file, uint32_t profile,
 	int position, double *out);
 
+/* ---- ifc_profile_untangle.c ---------------------------------------------- */
+
+/*
+ * Where the rings of the last face cross themselves or each other, which the
+ * standard forbids, put faces in its stead that do not: what is inside an odd
+ * number of times (the rule that polygons of other formats are repaired by), so
+ * that an 8 has two lobes. A remark is made about the profile. Fails as any
+ * evaluator.
+ */
+enum ifc_outcome ifc_profile_untangle(struct ifc_shaper *shaper,
+	uint32_t profile, struct ifc_faces *faces) TCS_CHECKED;
+
 /* ---- ifc_profile_plain.c: with a centre, without Position ---------------- */
 
 /* A corner of an outline, rounded with a radius that may be 0. */

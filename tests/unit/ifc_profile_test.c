@@ -4,6 +4,7 @@
 #include "check.h"
 #include "ifc_sample.h"
 #include "parsers/ifc_curve.h"
+#include "parsers/ifc_item.h"
 #include "parsers/ifc_profile.h"
 
 static const double PI = 3.14159265358979323846;
@@ -60,6 +61,7 @@ area_of(const char *data, double deflection)
 
 	CHECK(!sample_open(&sample, "IFC4", data));
 	shaper = shaper_of(&sample, deflection);
+	CHECK(!ifc_scratch_new(&shaper.scratch, &sample.fault));
 	switch (ifc_profile_faces(&shaper, instance(&sample, 100), &faces)) {
 	case IFC_SHAPED:
 		area = faces_area(&faces);
@@ -71,6 +73,7 @@ area_of(const char *data, double deflection)
 		CHECK(false);
 	}
 	CHECK(shaper.depth == 0 || area < 0);
+	ifc_scratch_free(shaper.scratch);
 	ifc_faces_release(&faces);
 	sample_close(&sample);
 	return area;
@@ -199,6 +202,47 @@ holes_and_operators_count(void)
 		12, 1e-12));
 }
 
+/* By the odd-even rule: the areas of the lobes, whatever way they run. */
+static void
+what_crosses_itself_is_filled_where_it_is_inside_once(void)
+{
+	static const struct {
+		const char *points, *voids;
+		double area;
+	} all[] = {
+		/* An 8 of equal lobes, whose signed areas cancel out. */
+		{"(0.,0.),(2.,2.),(2.,0.),(0.,2.)", NULL, 2},
+		{"(0.,0.),(3.,3.),(3.,0.),(0.,3.),(0.,1.)", NULL, 2.25 + 2.25},
+		/* A curl inside is left out, one outside is filled. */
+		{"(0.,0.),(4.,0.),(4.,4.),(1.,4.),(1.,1.),(3.,1.),(3.,3.),"
+		 "(0.,3.)",
+			NULL, 16 - 1 - 4},
+		{"(0.,0.),(2.,0.),(2.,3.),(3.,3.),(3.,2.),(0.,2.)", NULL,
+			4 + 1},
+		/* A hole that looks out. */
+		{"(0.,0.),(2.,0.),(2.,2.),(0.,2.)",
+			"(1.,1.),(3.,1.),(3.,1.5),(1.,1.5)", 4 - 0.5 + 0.5},
+		/* Lobes that touch in a corner that is told twice. */
+		{"(0.,0.),(1.,1.),(2.,0.),(2.,2.),(1.,1.),(0.,2.)", NULL, 2},
+	};
+
+	for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+		char data[2048];
+
+		snprintf(data, sizeof data,
+			"#100=IFCARBITRARY%s(.AREA.,$,#101%s);"
+			"#101=IFCINDEXEDPOLYCURVE(#102,$,$);"
+			"#102=IFCCARTESIANPOINTLIST2D((%s));"
+			"#103=IFCINDEXEDPOLYCURVE(#104,$,$);"
+			"#104=IFCCARTESIANPOINTLIST2D((%s));",
+			all[i].voids ? "PROFILEDEFWITHVOIDS"
+				     : "CLOSEDPROFILEDEF",
+			all[i].voids ? ",(#103)" : "", all[i].points,
+			all[i].voids ? all[i].voids : "");
+		CHECK(near(area_of(data, 1e-3), all[i].area, 1e-9));
+	}
+}
+
 static void
 what_is_no_area_is_refused(void)
 {
@@ -276,6 +320,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(a_circle_of_n_chords_is_an_n_gon),
 	CHECK_TEST(curves_of_many_kinds_bound_areas),
 	CHECK_TEST(holes_and_operators_count),
+	CHECK_TEST(what_crosses_itself_is_filled_where_it_is_inside_once),
 	CHECK_TEST(what_is_no_area_is_refused),
 	CHECK_TEST(what_is_used_ever_again_ends),
 	CHECK_TEST(parts_of_curves_lie_between_parameters),
