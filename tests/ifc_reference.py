@@ -81,10 +81,9 @@ def measures(stream):
 
 
 def rounding(text):
-    """Half a unit of the last of the table's nine digits."""
-    value = abs(float(text))
-    digits = len(text.partition(".")[2])
-    return 0.5 * 10 ** -digits if value >= 10 ** (9 - digits - 1) else 0
+    """Half a unit of the last digit that the table has room for: it has nine,
+    and no more than six behind the point, and leaves zeros at the end out."""
+    return 0.5 * 10 ** -min(6, 9 - len(text.lstrip("-").partition(".")[0]))
 
 
 def judge(row, measure):
