@@ -185,41 +185,10 @@ triangle_tree_nearest_facing(const struct triangle_tree *tree, uint32_t root,
 
 /* ---- rays ---------------------------------------------------------------- */
 
-/* Where the ray enters the box; INFINITY when it misses. */
-static double
-box_entry(const struct box *box, struct tcs_point origin,
-	struct tcs_point direction, double reach)
-{
-	const double at[3] = {origin.x, origin.y, origin.z};
-	const double way[3] = {direction.x, direction.y, direction.z};
-	double enter = 0, leave = reach;
-
-	for (int i = 0; i < 3; i++) {
-		double near, far;
-
-		if (!(fabs(way[i]) > 0)) {
-			if (at[i] < box->low[i] || at[i] > box->high[i])
-				return INFINITY;
-			continue;
-		}
-		near = (box->low[i] - at[i]) / way[i];
-		far = (box->high[i] - at[i]) / way[i];
-		if (near > far) {
-			double swap = near;
-
-			near = far;
-			far = swap;
-		}
-		enter = near > enter ? near : enter;
-		leave = far < leave ? far : leave;
-	}
-	/* Rounding must not lose a flat box. */
-	return enter <= leave * (1 + 1e-12) ? enter : INFINITY;
-}
-
 /* What a ray has met: the first hit, or all of them counted. */
 struct ray {
 	struct tcs_point origin, direction;
+	double at[3], inverse[3]; /* the origin, and 1 / the direction */
 	struct tree_hit first;
 	double reach;
 	bool count_all;
@@ -227,6 +196,40 @@ struct ray {
 	unsigned count;
 	double margin; /* the smallest, over all hits */
 };
+
+static struct ray
+ray_from(struct tcs_point origin, struct tcs_point direction, double reach)
+{
+	return (struct ray){.origin = origin,
+		.direction = direction,
+		.at = {origin.x, origin.y, origin.z},
+		.inverse = {1 / direction.x, 1 / direction.y, 1 / direction.z},
+		.first = {.distance = INFINITY},
+		.reach = reach};
+}
+
+/*
+ * Where the ray enters the box; INFINITY when it misses. Along an axis on which
+ * it does not move it is between two infinities, or beyond both; on a side of
+ * the box itself one is no number, which is neither more nor less.
+ */
+static double
+box_entry(const struct box *box, const struct ray *ray)
+{
+	double enter = 0, leave = ray->reach;
+
+	for (int i = 0; i < 3; i++) {
+		bool ahead = ray->inverse[i] > 0;
+		double low = (box->low[i] - ray->at[i]) * ray->inverse[i];
+		double high = (box->high[i] - ray->at[i]) * ray->inverse[i];
+		double near = ahead ? low : high, far = ahead ? high : low;
+
+		enter = near > enter ? near : enter;
+		leave = far < leave ? far : leave;
+	}
+	/* Rounding must not lose a flat box. */
+	return enter <= leave * (1 + 1e-12) ? enter : INFINITY;
+}
 
 static void
 ray_in_leaf(const struct triangle_tree *tree, const struct box_node *node,
@@ -268,11 +271,8 @@ follow_ray(const struct triangle_tree *tree, uint32_t root, struct ray *ray)
 			ray_in_leaf(tree, node, ray);
 		else
 			push_children(&walk, node->first,
-				box_entry(&nodes[node->first].box, ray->origin,
-					ray->direction, ray->reach),
-				box_entry(&nodes[node->first + 1].box,
-					ray->origin, ray->direction,
-					ray->reach));
+				box_entry(&nodes[node->first].box, ray),
+				box_entry(&nodes[node->first + 1].box, ray));
 	}
 }
 
@@ -280,31 +280,21 @@ struct tree_hit
 triangle_tree_ray(const struct triangle_tree *tree, uint32_t root,
 	struct tcs_point origin, struct tcs_point direction, double reach)
 {
-	struct ray ray = {
-		.origin = origin,
-		.direction = direction,
-		.first = {.distance = INFINITY},
-		.reach = reach,
-	};
+	struct ray ray = ray_from(origin, direction, reach);
 
 	follow_ray(tree, root, &ray);
 	return ray.first;
 }
 
-bool
-triangle_tree_blocks(const struct triangle_tree *tree, uint32_t root,
+struct tree_hit
+triangle_tree_any(const struct triangle_tree *tree, uint32_t root,
 	struct tcs_point origin, struct tcs_point direction, double reach)
 {
-	struct ray ray = {
-		.origin = origin,
-		.direction = direction,
-		.first = {.distance = INFINITY},
-		.reach = reach,
-		.any = true,
-	};
+	struct ray ray = ray_from(origin, direction, reach);
 
+	ray.any = true;
 	follow_ray(tree, root, &ray);
-	return ray.first.distance < INFINITY;
+	return ray.first;
 }
 
 bool
@@ -324,14 +314,10 @@ triangle_tree_encloses(
 	if (box_distance_squared(&tree->boxes.nodes.at[root].box, point) > 0)
 		return false;
 	for (size_t i = 0; i < count; i++) {
-		struct ray ray = {
-			.origin = point,
-			.direction = directions[i],
-			.reach = INFINITY,
-			.count_all = true,
-			.margin = 1,
-		};
+		struct ray ray = ray_from(point, directions[i], INFINITY);
 
+		ray.count_all = true;
+		ray.margin = 1;
 		follow_ray(tree, root, &ray);
 		encloses = ray.count % 2;
 		if (ray.margin > 1e-9)

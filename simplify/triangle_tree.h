@@ -48,9 +48,10 @@ struct tree_hit triangle_tree_ray(const struct triangle_tree *tree,
 	uint32_t root, struct tcs_point origin, struct tcs_point direction,
 	double reach);
 
-/* Whether it meets any; quicker. */
-bool triangle_tree_blocks(const struct triangle_tree *tree, uint32_t root,
-	struct tcs_point origin, struct tcs_point direction, double reach);
+/* One that it meets, not the first; quicker. Its distance says whether any. */
+struct tree_hit triangle_tree_any(const struct triangle_tree *tree,
+	uint32_t root, struct tcs_point origin, struct tcs_point direction,
+	double reach);
 
 /*
  * Whether a closed surface encloses the point: whether a ray from it meets an

@@ -24,6 +24,7 @@ struct looking {
 	const struct tcs_triangle *triangles;
 	size_t count;
 	const struct visible_views *views;
+	struct tcs_point ways[VISIBLE_MOST_DIRECTIONS];
 	struct tcs_point middle;
 	double radius;
 	struct tally *tallies; /* of each piece of the directions */
@@ -125,9 +126,8 @@ draw_some(void *context, size_t piece, size_t first, size_t end)
 	tally->failed = !tally->pixels || !tally->open;
 	for (size_t i = first; i < end && !tally->failed; i++) {
 		unsigned number = (unsigned)i;
-		struct view view =
-			view_parallel(visible_direction(looking->views, number),
-				looking->middle, looking->radius);
+		struct view view = view_parallel(looking->ways[number],
+			looking->middle, looking->radius);
 
 		tally->failed =
 			raster_draw(&tally->raster, looking->views->size, &view,
@@ -172,6 +172,32 @@ draw_all(struct looking *looking, size_t pieces, struct tcs_fault *fault)
 
 /* ---- rays ---------------------------------------------------------------- */
 
+/*
+ * Whether something stands before a point. What stood in the way of the last
+ * ray mostly does in that of the next, so that is tried first.
+ */
+static bool
+is_blocked(const struct looking *looking, struct tcs_point from,
+	struct tcs_point out, uint32_t *blocker)
+{
+	double reach = 2 * looking->radius, t, margin;
+	struct tree_hit hit;
+
+	if (*blocker != TCS_NONE) {
+		struct triangle_shape shape = shape_at(looking, *blocker);
+
+		if (triangle_hit(&shape, from, out, &t, &margin) && t > 0 &&
+			t < reach)
+			return true;
+	}
+	hit = triangle_tree_any(
+		&looking->tree, looking->root, from, out, reach);
+	if (!(hit.distance < INFINITY))
+		return false;
+	*blocker = hit.item;
+	return true;
+}
+
 /* What a ray from the middle of a triangle sees is all or nothing. */
 static double
 area_by_rays(const struct looking *looking, size_t i, uint64_t open)
@@ -180,6 +206,7 @@ area_by_rays(const struct looking *looking, size_t i, uint64_t open)
 	struct tcs_point centre = centre_of(&shape);
 	struct tcs_point normal = triangle_normal(&shape);
 	unsigned count = looking->views->directions;
+	uint32_t blocker = TCS_NONE;
 
 	for (unsigned k = 0; k < count; k++) {
 		struct tcs_point out;
@@ -187,13 +214,13 @@ area_by_rays(const struct looking *looking, size_t i, uint64_t open)
 
 		if (!(open >> k & 1))
 			continue;
-		out = vector_scaled(visible_direction(looking->views, k), -1);
+		out = vector_scaled(looking->ways[k], -1);
 		slant = fabs(vector_dot(normal, out)) / 2;
 		if (slant > 0 &&
-			!triangle_tree_blocks(&looking->tree, looking->root,
+			!is_blocked(looking,
 				vector_along(
 					centre, out, 1e-7 * looking->radius),
-				out, 2 * looking->radius))
+				out, &blocker))
 			return slant / count;
 	}
 	return 0;
@@ -281,6 +308,8 @@ visible_find(const struct tcs_point *points, size_t point_count,
 	if (!looking.tallies)
 		return fault_memory(fault);
 	enclose(&looking);
+	for (unsigned k = 0; k < views->directions; k++)
+		looking.ways[k] = visible_direction(views, k);
 	status = draw_all(&looking, pieces, fault);
 	if (!status)
 		status = cast_all(&looking, fault);
