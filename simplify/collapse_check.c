@@ -14,6 +14,7 @@
  */
 #include "collapses.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Metres: no face may become thinner than this, or than it was. */
@@ -22,9 +23,8 @@
 /* Square metres: a face this near to a point is not beaten by another. */
 #define NEAR_ENOUGH 1e-14
 
-/* Of the points of a seam one in so many may come open; that leaves what lies
-   between them a margin to the quarter that counts as half open. */
-#define KEPT_TO_OPEN 6
+/* Contacts that a surface is worth. */
+#define SURFACE_WORTH 4
 
 /* ---- the ring ------------------------------------------------------------ */
 
@@ -232,20 +232,41 @@ list_moves(struct collapses *work, size_t count, struct tcs_fault *fault)
 	return TCS_OK;
 }
 
-/* Whether every contact listed may lose as many points as it is listed. */
+/* How often the contact of entry i is listed; 0 unless it is the first time. */
+static uint32_t
+times_listed(const uint32_t *list, size_t count, size_t i)
+{
+	uint32_t times = 0;
+
+	for (size_t k = 0; k < i; k++)
+		if (list[k] == list[i])
+			return 0;
+	for (size_t k = i; k < count; k++)
+		times += list[k] == list[i];
+	return times;
+}
+
+/* Add up what the points listed break, each contact by its worth; false where
+   one comes wholly apart. */
 static bool
-seams_hold(const struct collapses *work)
+count_broken(struct collapses *work)
 {
 	for (size_t i = 0; i < work->opened.count; i++) {
+		uint32_t contact = work->opened.at[i];
 		const struct seam_count *count =
-			&work->seams->counts.at[work->opened.at[i]];
-		uint32_t open = count->open;
+			&work->seams->counts.at[contact];
+		uint32_t times =
+			times_listed(work->opened.at, work->opened.count, i);
 
-		for (size_t k = 0; k < work->opened.count; k++)
-			open += work->opened.at[k] == work->opened.at[i];
-		if (work->settings.loose ? open >= count->points
-					 : KEPT_TO_OPEN * open >= count->points)
+		if (times > 0 && count->open + times >= count->points)
 			return false;
+		if (times > 0)
+			work->broken +=
+				(seam_broken(count, count->open + times) -
+					seam_broken(count, count->open)) *
+				(work->worths.count > 0 ? (double)work->worths
+								  .at[contact]
+							: 1);
 	}
 	return true;
 }
@@ -271,19 +292,18 @@ list_leaving(struct collapses *work, size_t count, uint32_t target,
 	return TCS_OK;
 }
 
-/* Whether every surface keeps a face. */
-static bool
-surfaces_stay(const struct collapses *work)
+/* Add the surfaces that keep no face. */
+static void
+count_vanishing(struct collapses *work)
 {
 	for (size_t i = 0; i < work->leaving.count; i++) {
-		uint32_t surface = work->leaving.at[i], faces = 0;
+		uint32_t times =
+			times_listed(work->leaving.at, work->leaving.count, i);
 
-		for (size_t k = 0; k < work->leaving.count; k++)
-			faces += work->leaving.at[k] == surface;
-		if (faces >= work->surfaces.at[surface])
-			return false;
+		if (times > 0 &&
+			times >= work->surfaces.at[work->leaving.at[i]])
+			work->broken += SURFACE_WORTH;
 	}
-	return true;
 }
 
 /* ---- one vertex ---------------------------------------------------------- */
@@ -373,7 +393,7 @@ check_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 			work, &ring, 1, work->positions.at[target]);
 	if (!status && *fine)
 		status = list_moves(work, count, fault);
-	if (!status && *fine && !work->settings.loose)
+	if (!status && *fine)
 		status = list_leaving(work, count, target, fault);
 	if (!status && *fine && twins)
 		status = collect_neighbours(work, count, target, fault);
@@ -439,12 +459,17 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 
 	*fine = true;
 	work->touched.count = work->moves.count = work->opened.count = 0;
+	work->broken = 0;
 	work->leaving.count = work->apart.count = work->ring.count = 0;
 	work->ring_is_open = false;
 	for (uint32_t v = fans[0].first_vertex;
 		!status && *fine && v < fans[1].first_vertex; v++)
 		status = check_vertex(work, v, target, twins, fine, fault);
-	*fine = !status && *fine && seams_hold(work) && surfaces_stay(work) &&
+	if (!status && *fine)
+		count_vanishing(work);
+	*fine = !status && *fine && count_broken(work) &&
+		(work->settings.contact_cost < INFINITY ||
+			!(work->broken > 0)) &&
 		!is_pinched(work);
 	if (*fine)
 		status = check_doubles(work, node, target, fine, fault);

@@ -6,8 +6,10 @@
 /* 1 / |cos θ| is bounded: at this cosine a pull is straight out. */
 #define LEAST_COSINE 0.05
 
-/* Metres that a border between surfaces may move while it is kept. */
+/* Metres that a border between surfaces may move while it is kept, and contacts
+   that it is worth to keep it. */
 #define BORDER_LIMIT 0.01
+#define BORDER_WORTH 1
 
 /* A collapse that is free otherwise prefers the shorter edge. */
 #define SHORTNESS 1e-10
@@ -56,7 +58,7 @@ worst_sine(const struct collapses *work, uint32_t node, uint32_t target,
 	return worst;
 }
 
-/* What moving its borders costs: more than anything while they are kept. */
+/* What moving its borders costs. */
 static double
 border_cost(const struct collapses *work, uint32_t node, struct tcs_point to)
 {
@@ -66,9 +68,8 @@ border_cost(const struct collapses *work, uint32_t node, struct tcs_point to)
 	if (!(weight > 0))
 		return 0;
 	cost = quadric_at(borders, to);
-	if (!work->settings.loose &&
-		cost > BORDER_LIMIT * BORDER_LIMIT * weight)
-		return INFINITY;
+	if (cost > BORDER_LIMIT * BORDER_LIMIT * weight)
+		cost += BORDER_WORTH * work->settings.contact_cost;
 	return cost;
 }
 

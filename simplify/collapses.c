@@ -160,23 +160,36 @@ judge_node(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 	return status;
 }
 
-/* Aim at the cheapest neighbour that is fine. */
+/* What the collapse that was just found fine breaks. */
+static double
+price_of_broken(const struct collapses *work)
+{
+	return work->broken > 0 ? work->broken * work->settings.contact_cost
+				: 0;
+}
+
+/* Aim at the cheapest neighbour that is fine, with all that breaks. */
 static enum tcs_status
 judge_again(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 {
 	struct queue_entry best = {INFINITY, TCS_NONE};
 	enum tcs_status status = find_candidates(work, node, fault);
-	bool fine = false;
 
 	if (!status && work->candidates.count > 0)
 		qsort(work->candidates.at, work->candidates.count,
 			sizeof *work->candidates.at, by_cost);
-	for (size_t i = 0; !status && !fine && i < work->candidates.count;
-		i++) {
-		best = work->candidates.at[i];
-		status = placement_check(work, node, best.node, &fine, fault);
+	for (size_t i = 0; !status && i < work->candidates.count; i++) {
+		struct queue_entry there = work->candidates.at[i];
+		bool fine;
+
+		if (there.cost >= best.cost)
+			break;
+		status = placement_check(work, node, there.node, &fine, fault);
+		there.cost += price_of_broken(work);
+		if (!status && fine && is_cheaper(&there, &best))
+			best = there;
 	}
-	aim(work, node, fine ? best : (struct queue_entry){INFINITY, TCS_NONE});
+	aim(work, node, best);
 	return status;
 }
 
@@ -240,6 +253,31 @@ collapse(struct collapses *work, uint32_t node, uint32_t target,
 	return status;
 }
 
+/* Try the first of the queue: collapse it if it costs no more than it seemed
+   to. */
+static enum tcs_status
+try_first(struct collapses *work, struct tcs_fault *fault)
+{
+	struct queue_entry first = *node_queue_first(&work->queue);
+	uint32_t target = work->targets.at[first.node];
+	bool fine;
+	enum tcs_status status =
+		placement_check(work, first.node, target, &fine, fault);
+
+	if (status)
+		return status;
+	if (fine && work->broken > 0) {
+		work->wants_worths = work->worths.count == 0;
+		fine = placement_cost(work, first.node, target, INFINITY) +
+				price_of_broken(work) <=
+			first.cost;
+	}
+	if (fine && !work->wants_worths)
+		return collapse(work, first.node, target, fault);
+	return work->wants_worths ? TCS_OK
+				  : judge_again(work, first.node, fault);
+}
+
 enum tcs_status
 collapses_run(struct collapses *work, size_t faces, double dearest,
 	struct tcs_fault *fault)
@@ -247,21 +285,11 @@ collapses_run(struct collapses *work, size_t faces, double dearest,
 	const struct queue_entry *first;
 	enum tcs_status status = TCS_OK;
 
-	while (!status && work->face_count > faces &&
+	work->wants_worths = false;
+	while (!status && !work->wants_worths && work->face_count > faces &&
 		(first = node_queue_first(&work->queue)) &&
-		first->cost < dearest) {
-		uint32_t node = first->node;
-		uint32_t target = work->targets.at[node];
-		bool fine;
-
-		status = placement_check(work, node, target, &fine, fault);
-		if (status)
-			break;
-		if (fine)
-			status = collapse(work, node, target, fault);
-		else
-			status = judge_again(work, node, fault);
-	}
+		first->cost < dearest)
+		status = try_first(work, fault);
 	return status;
 }
 
@@ -303,6 +331,7 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 	work->regions = *regions;
 	work->ground = set->bounds.low[2] + contact_reach(set);
 	work->face_count = sheets->face_triangles.count;
+	array_clear(&work->worths);
 	half_edges_free(work->mesh);
 	work->mesh = NULL;
 	status = half_edges_new(&work->mesh, sheets->corners.at,
@@ -409,6 +438,7 @@ collapses_release(struct collapses *work)
 	array_release(&work->fixed);
 	array_release(&work->features);
 	array_release(&work->surfaces);
+	array_release(&work->worths);
 	array_release(&work->spokes);
 	array_release(&work->candidates);
 	array_release(&work->touched);

@@ -18,8 +18,9 @@
 
 struct collapse_settings {
 	double base_ratio; /* of the cost of moving a boundary vertex; >= 1 */
-	bool loose; /* seams may come open as long as one point holds, borders
-	               between surfaces may move, surfaces may vanish */
+	/* What it costs that a contact breaks, a surface vanishes, or a border
+	   between surfaces moves, as a collapse does; INFINITY: none may. */
+	double contact_cost;
 	bool optimal; /* see placement.h; as it began */
 	double max_error; /* metres, see error_watch.h; as it began; 0: any */
 };
@@ -67,6 +68,9 @@ struct collapses {
 	TCS_ARRAY(uint32_t) features; /* per face: its surface */
 	TCS_ARRAY(uint32_t) surfaces; /* per feature: its faces left */
 	size_t face_count; /* left */
+	/* Per contact: for how many it counts; empty until it matters. */
+	TCS_ARRAY(float) worths;
+	bool wants_worths; /* collapses_run cannot go on without */
 	double ground; /* what is no higher stands on it, and goes no higher */
 	struct error_watch watch;
 	struct crossing_watch crossings;
@@ -74,6 +78,7 @@ struct collapses {
 	TCS_ARRAY(struct spoke) spokes; /* scratch */
 	TCS_ARRAY(struct queue_entry) candidates; /* scratch */
 	/* What collapse_check found out: */
+	double broken; /* contacts, each by its worth, and surfaces */
 	TCS_ARRAY(uint32_t) touched; /* the nodes around */
 	TCS_ARRAY(struct seam_move) moves;
 	TCS_ARRAY(struct ring_face) ring; /* those that stay */
@@ -97,7 +102,8 @@ enum tcs_status collapses_begin(struct collapses *work,
 
 /*
  * Collapse the cheapest until at most `faces` are left, or nothing may be
- * collapsed for less than `dearest`. Fails with TCS_NO_MEMORY.
+ * collapsed for less than `dearest`, or a contact would break of which it is
+ * not known what it is worth. Fails with TCS_NO_MEMORY.
  */
 enum tcs_status collapses_run(struct collapses *work, size_t faces,
 	double dearest, struct tcs_fault *fault) TCS_CHECKED;
@@ -166,8 +172,8 @@ double collapse_cost_at(
 /*
  * Whether it may be done: the mesh stays manifold, no face turns over, becomes
  * a sliver or the same as another, nothing goes through anything that it did
- * not, the surface stays where it may be, and the seams hold.
- * Fails with TCS_NO_MEMORY.
+ * not, the surface stays where it may be, and no contact comes wholly apart;
+ * and what breaks. Fails with TCS_NO_MEMORY.
  */
 enum tcs_status collapse_check(struct collapses *work, uint32_t node,
 	uint32_t target, bool *fine, struct tcs_fault *fault) TCS_CHECKED;

@@ -23,8 +23,8 @@ prepare(struct object_simplifier *simplifier,
 	struct tcs_fault *fault)
 {
 	struct component_set *set = &simplifier->source.set;
-	const struct collapse_settings first = {
-		.base_ratio = settings->base_ratio,
+	struct collapse_settings first = {.base_ratio = settings->base_ratio,
+		.contact_cost = INFINITY,
 		.optimal = settings->placement == PLACE_OPTIMAL,
 		.max_error = settings->max_error};
 	struct collapse_regions regions;
@@ -110,6 +110,10 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 		double other = fmin(opening, removal);
 
 		status = collapses_run(work, target, fmin(other, most), fault);
+		if (!status && work->wants_worths) {
+			status = removals_look(removals, fault);
+			continue;
+		}
 		if (status || work->face_count <= target || other >= most)
 			break;
 		if (removal < opening)
@@ -121,25 +125,24 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 	return status;
 }
 
-/* As far as it can be brought without falling apart. */
+/* Whether contacts may break, at a price, from now on. */
 static enum tcs_status
-go_on_loosely(struct object_simplifier *simplifier, size_t target,
-	struct tcs_fault *fault)
+let_break(
+	struct object_simplifier *simplifier, bool may, struct tcs_fault *fault)
 {
 	struct collapses *work = &simplifier->collapses;
-	struct collapse_settings loose = work->settings;
-	enum tcs_status status = TCS_OK;
+	struct collapse_settings settings = work->settings;
 
-	loose.loose = true;
-	if (work->face_count > target && !work->settings.loose)
-		status = collapses_resume(work, &loose, fault);
-	return status ? status : reach_target(simplifier, target, fault);
+	settings.contact_cost =
+		may ? contact_cost(&simplifier->source.set) : INFINITY;
+	if ((settings.contact_cost < INFINITY) ==
+		(work->settings.contact_cost < INFINITY))
+		return TCS_OK;
+	return collapses_resume(work, &settings, fault);
 }
 
-/*
- * Collapse down to a level: first so that all holds, then, if a number of
- * triangles is wanted, as far as possible.
- */
+/* Collapse down to a level: so that all holds, or, if a number of triangles is
+   wanted, as well as may be. */
 static enum tcs_status
 reach_level(struct object_simplifier *simplifier,
 	const struct simplify_level *level, size_t target,
@@ -153,10 +156,13 @@ reach_level(struct object_simplifier *simplifier,
 		status = dissolve_openings(simplifier, SIZE_MAX, &any, fault);
 	if (status)
 		return status;
+	status = let_break(
+		simplifier, level->budget.kind != BUDGET_ERROR, fault);
+	if (status)
+		return status;
 	if (level->budget.kind == BUDGET_ERROR)
 		return collapses_run(work, 0, INFINITY, fault);
-	status = reach_target(simplifier, target, fault);
-	return status ? status : go_on_loosely(simplifier, target, fault);
+	return reach_target(simplifier, target, fault);
 }
 
 /* Per feature whether it hosts something that is simplified. */

@@ -13,7 +13,8 @@
 #define CONTACT_WIDTH 0.15
 #define CONTACT_DEPTH 0.0075
 
-/* A contact of something that is seen is worth so many times as much. */
+/* A contact of which both sides are seen, or a surface that is, is worth so
+   many times as much. */
 #define SEEN_FACTOR 4
 
 /* Beyond this share of the diagonal from what stays the price rises steeply. */
@@ -116,7 +117,17 @@ list_contacts(struct removals *removals, const struct part *part,
 	return TCS_OK;
 }
 
-/* How many contacts break, parts of contacts as parts. The list is used up. */
+/* For how many a contact counts, as far as that is known. */
+static double
+worth_of(const struct removals *removals, uint32_t contact)
+{
+	const struct collapses *work = removals->work;
+
+	return work->worths.count > 0 ? (double)work->worths.at[contact] : 1;
+}
+
+/* How many contacts break, by their worth, and parts of contacts as parts. The
+   list is used up. */
 static double
 count_broken(struct removals *removals, const struct part *part)
 {
@@ -129,9 +140,9 @@ count_broken(struct removals *removals, const struct part *part)
 		uint32_t open = count->open + removals->held.at[contact];
 
 		removals->held.at[contact] = 0;
-		broken += open >= count->points	    ? 1
-			: 4 * open >= count->points ? 0.5
-						    : 0;
+		broken += (seam_broken(count, open) -
+				  seam_broken(count, count->open)) *
+			worth_of(removals, contact);
 	}
 	removals->contacts.count = 0;
 	if (removals->parts.left.at[part->component] == 1)
@@ -200,9 +211,9 @@ price_of(struct removals *removals, uint32_t number, double *price,
 	status = list_contacts(removals, part, fault);
 	if (status)
 		return status;
-	broken = count_broken(removals, part) + count_vanishing(removals, part);
-	if (visible > 0)
-		broken *= SEEN_FACTOR;
+	broken = count_broken(removals, part) +
+		count_vanishing(removals, part) *
+			(visible > 0 ? SEEN_FACTOR : 1);
 	*price = (fmax(visible, HIDDEN_SHARE * part->area) * distance *
 				 distance * (1 + far * far * far * far) +
 			 broken * removals->contact_cost) /
@@ -245,10 +256,38 @@ look_at_parts(struct removals *removals, struct tcs_fault *fault)
 	return status;
 }
 
+/* Contacts between components that are seen count for more. */
+static enum tcs_status
+weigh_contacts(struct removals *removals, struct tcs_fault *fault)
+{
+	const struct parts *parts = &removals->parts;
+	struct collapses *work = removals->work;
+	size_t count = removals->list->count;
+	bool *seen = calloc(work->set->components.count + 1, sizeof *seen);
+
+	if (!seen || array_grow(&work->worths, count + 1)) {
+		free(seen);
+		return fault_memory(fault);
+	}
+	for (size_t i = 0; i < parts->count; i++)
+		seen[parts->at.at[i].component] |= removals->visible.at[i] > 0;
+	for (size_t i = 0; i < count; i++) {
+		const struct contact *own = &removals->list->at[i];
+
+		work->worths.at[i] =
+			seen[own->a] && seen[own->b] ? SEEN_FACTOR : 1;
+	}
+	work->worths.at[count] = 1; /* so that it is never empty */
+	work->worths.count = count + 1;
+	free(seen);
+	return TCS_OK;
+}
+
 static enum tcs_status
 find_visible(struct removals *removals, struct tcs_fault *fault)
 {
 	size_t count = removals->parts.count;
+	enum tcs_status status = TCS_OK;
 
 	if (array_grow(&removals->visible, count))
 		return fault_memory(fault);
@@ -256,7 +295,9 @@ find_visible(struct removals *removals, struct tcs_fault *fault)
 	for (size_t i = 0; i < count; i++)
 		removals->visible.at[i] =
 			removals->all_seen ? removals->parts.at.at[i].area : 0;
-	return removals->all_seen ? TCS_OK : look_at_parts(removals, fault);
+	if (!removals->all_seen)
+		status = look_at_parts(removals, fault);
+	return status ? status : weigh_contacts(removals, fault);
 }
 
 static enum tcs_status
@@ -298,19 +339,27 @@ make_room(struct removals *removals, struct tcs_fault *fault)
 	return TCS_OK;
 }
 
+double
+contact_cost(const struct component_set *set)
+{
+	double diagonal = box_diagonal(&set->bounds);
+	double side = CONTACT_WIDTH * diagonal, off = CONTACT_DEPTH * diagonal;
+
+	return side * side * off * off;
+}
+
 enum tcs_status
 removals_begin(struct removals *removals, struct collapses *work,
 	const struct contact_list *contacts, double reach, bool all_seen,
 	struct tcs_fault *fault)
 {
-	double diagonal = box_diagonal(&work->set->bounds);
-	double side = CONTACT_WIDTH * diagonal, off = CONTACT_DEPTH * diagonal;
 	enum tcs_status status;
 
 	removals->work = work;
+	removals->list = contacts;
 	removals->all_seen = all_seen;
-	removals->far = FAR * diagonal;
-	removals->contact_cost = side * side * off * off;
+	removals->far = FAR * box_diagonal(&work->set->bounds);
+	removals->contact_cost = contact_cost(work->set);
 	array_clear(&removals->visible);
 	triangle_tree_release(&removals->tree);
 	status = parts_find(&removals->parts, work->set, work->sheets,
@@ -382,17 +431,23 @@ take_away(struct removals *removals, uint32_t number, struct tcs_fault *fault)
 }
 
 enum tcs_status
+removals_look(struct removals *removals, struct tcs_fault *fault)
+{
+	enum tcs_status status;
+
+	if (removals->visible.count > 0)
+		return TCS_OK;
+	status = find_visible(removals, fault);
+	return status ? status : grow_trees(removals, fault);
+}
+
+enum tcs_status
 removals_try(struct removals *removals, struct tcs_fault *fault)
 {
 	struct queue_entry first = *node_queue_first(&removals->queue);
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status = removals_look(removals, fault);
 	double price;
 
-	if (!removals->visible.count) {
-		status = find_visible(removals, fault);
-		if (!status)
-			status = grow_trees(removals, fault);
-	}
 	if (status)
 		return status;
 	removals->distances.at[first.node] = fmax(

@@ -17,10 +17,14 @@
 #include "collapses.h"
 #include "parts.h"
 
+/* What a contact that breaks costs, in an object of that size. */
+double contact_cost(const struct component_set *set);
+
 /* All zero is empty; reused from object to object. */
 struct removals {
 	struct parts parts;
 	struct collapses *work; /* borrowed */
+	const struct contact_list *list; /* borrowed */
 	struct node_queue queue; /* of parts, by their price */
 	/* Per part: square metres that are seen; empty while unknown. */
 	TCS_ARRAY(double) visible;
@@ -53,6 +57,11 @@ double removals_next_cost(const struct removals *removals);
  * Fails with TCS_NO_MEMORY, TCS_SYSTEM.
  */
 enum tcs_status removals_try(
+	struct removals *removals, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Find out how much is seen of every part, and grow their trees, unless that is
+   done. Fails with TCS_NO_MEMORY, TCS_SYSTEM. */
+enum tcs_status removals_look(
 	struct removals *removals, struct tcs_fault *fault) TCS_CHECKED;
 
 void removals_release(struct removals *removals);

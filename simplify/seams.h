@@ -37,6 +37,20 @@ struct seam_count {
 	uint32_t points, open;
 };
 
+/* Of the points of a seam less than one in so many may come open; that leaves
+   what lies between them a margin to the quarter that counts as half open. */
+#define SEAM_KEPT_TO_OPEN 6
+
+/* How far a contact is broken when so many points of it are open: not, by half
+   when it is half open, or wholly. */
+static inline double
+seam_broken(const struct seam_count *count, uint32_t open)
+{
+	if (open >= count->points)
+		return 1;
+	return SEAM_KEPT_TO_OPEN * open >= count->points ? 0.5 : 0;
+}
+
 /* A boundary vertex and the face of another component that it meets. */
 struct seam_plane {
 	uint32_t next; /* plane of the same node; TCS_NONE */

@@ -1,8 +1,10 @@
 /* Which collapses may not be done, rule by rule. */
 #include "check.h"
 #include "collapse_sample.h"
+#include <math.h>
 
-static const struct collapse_settings plain = {.base_ratio = 2};
+static const struct collapse_settings plain = {
+	.base_ratio = 2, .contact_cost = INFINITY};
 
 static bool
 may(struct collapse_sample *sample, struct tcs_point from, struct tcs_point to)
@@ -114,6 +116,62 @@ a_seam_holds(void)
 	sample_release(&sample);
 }
 
+/* Two boxes that share a side of half a meter: of its four corners and what
+   lies between one may go, and its contact is ajar then. */
+static void
+what_a_contact_costs_is_counted(void)
+{
+	const struct collapse_settings priced = {
+		.base_ratio = 2, .contact_cost = 1};
+	struct collapse_sample sample = {0};
+
+	sample_add_box(&sample, 1, (struct tcs_point){0, 0, 0},
+		(struct tcs_point){1, 1, 1});
+	sample_add_box(&sample, 2, (struct tcs_point){1, 0.25, 0.25},
+		(struct tcs_point){2, 0.5, 0.5});
+	sample_begin(&sample, &priced);
+	CHECK(may(&sample, (struct tcs_point){1, 0.25, 0.25},
+		(struct tcs_point){3, 0.25, 0.25}));
+	CHECK(fabs(sample.work.broken - 0.5) < 1e-12);
+	CHECK(may(&sample, (struct tcs_point){3, 0.25, 0.25},
+		(struct tcs_point){1, 0.25, 0.25}));
+	CHECK(!(sample.work.broken > 0));
+	sample_release(&sample);
+}
+
+/* A gable that stands on a slab becomes a triangle with its base, and one
+   without, once it is known what the contact is worth. */
+static void
+a_contact_breaks_for_its_price(void)
+{
+	static const struct tcs_point gable[5] = {
+		{0, 4, 0}, {8, 4, 0}, {8, 4, 3}, {4, 4, 6}, {0, 4, 3}};
+	const struct collapse_settings priced = {
+		.base_ratio = 2, .contact_cost = 1e4};
+	struct collapse_sample sample = {0};
+	const struct seam_count *count;
+	struct tcs_fault fault;
+
+	sample_add_box(&sample, 1, (struct tcs_point){0, 0, -1},
+		(struct tcs_point){8, 8, 1});
+	for (int i = 1; i < 4; i++)
+		sample_add(&sample, 2, gable[0], gable[i], gable[i + 1]);
+	sample_begin(&sample, &priced);
+	CHECK(sample.seams.counts.count == 1);
+	count = &sample.seams.counts.at[0];
+	sample_run(&sample, 0);
+	CHECK(sample.work.wants_worths);
+	CHECK(seam_broken(count, count->open) < 0.1);
+	CHECK(!array_grow(&sample.work.worths, 1));
+	sample.work.worths.at[sample.work.worths.count++] = 4;
+	CHECK(!collapses_run(&sample.work, 0, 2e4, &fault));
+	CHECK(seam_broken(count, count->open) < 0.1);
+	sample_run(&sample, 0);
+	CHECK(seam_broken(count, count->open) > 0.4);
+	CHECK(count->open < count->points);
+	sample_release(&sample);
+}
+
 /* A quarter of a square is a surface of its own, and goes with two of the four
    edges of the middle. */
 static void
@@ -131,7 +189,7 @@ every_surface_keeps_a_face(void)
 		(struct tcs_point){0, 0, 0}));
 	CHECK(may(&sample, (struct tcs_point){1, 1, 0},
 		(struct tcs_point){2, 2, 0}));
-	sample.work.settings.loose = true;
+	sample.work.settings.contact_cost = 0;
 	CHECK(may(&sample, (struct tcs_point){1, 1, 0},
 		(struct tcs_point){0, 0, 0}));
 	sample_release(&sample);
@@ -162,6 +220,8 @@ static const struct check_test tests[] = {
 	CHECK_TEST(a_face_may_not_become_a_sliver),
 	CHECK_TEST(a_tube_may_not_be_pinched),
 	CHECK_TEST(a_seam_holds),
+	CHECK_TEST(what_a_contact_costs_is_counted),
+	CHECK_TEST(a_contact_breaks_for_its_price),
 	CHECK_TEST(every_surface_keeps_a_face),
 	CHECK_TEST(no_face_may_become_the_same_as_another),
 	{0},

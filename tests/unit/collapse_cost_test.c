@@ -1,4 +1,5 @@
 /* What a collapse costs, rule by rule. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "check.h"
@@ -23,7 +24,8 @@ cost(const struct collapse_sample *sample, struct tcs_point from,
 static void
 add_slab_and_sheet(struct collapse_sample *sample, double base_ratio)
 {
-	const struct collapse_settings settings = {.base_ratio = base_ratio};
+	const struct collapse_settings settings = {
+		.base_ratio = base_ratio, .contact_cost = INFINITY};
 
 	sample_add_box(sample, 1, (struct tcs_point){0, 0, 0},
 		(struct tcs_point){8, 8, 1});
@@ -110,7 +112,8 @@ the_base_ratio_multiplies_what_boundary_vertices_cost(void)
 static void
 of_several_contacts_the_worst_counts(void)
 {
-	const struct collapse_settings settings = {.base_ratio = 1};
+	const struct collapse_settings settings = {
+		.base_ratio = 1, .contact_cost = INFINITY};
 	struct collapse_sample sample = {0};
 
 	sample_add_box(&sample, 1, (struct tcs_point){0, 0, -1},
@@ -136,7 +139,8 @@ of_several_contacts_the_worst_counts(void)
 static void
 an_open_rim_is_not_free_to_leave_its_line(void)
 {
-	const struct collapse_settings settings = {.base_ratio = 2};
+	const struct collapse_settings settings = {
+		.base_ratio = 2, .contact_cost = INFINITY};
 	struct collapse_sample sample = {0};
 
 	sample_add_sheet(&sample, 1, (struct tcs_point){0, 0, 0}, 1, 6, 6);
@@ -156,7 +160,8 @@ an_open_rim_is_not_free_to_leave_its_line(void)
 static void
 a_sharp_edge_is_a_line_and_a_blunt_one_is_none(void)
 {
-	const struct collapse_settings settings = {.base_ratio = 2};
+	const struct collapse_settings settings = {
+		.base_ratio = 2, .contact_cost = INFINITY};
 	double costs[2];
 
 	for (int i = 0; i < 2; i++) {
@@ -191,7 +196,8 @@ a_sharp_edge_is_a_line_and_a_blunt_one_is_none(void)
 static void
 a_border_between_surfaces_may_not_be_left_unless_it_must(void)
 {
-	struct collapse_settings settings = {.base_ratio = 2};
+	struct collapse_settings settings = {
+		.base_ratio = 2, .contact_cost = INFINITY};
 	struct collapse_sample sample = {0};
 
 	sample_add_sheet(&sample, 1, (struct tcs_point){0, 0, 0}, 1, 3, 6);
@@ -201,7 +207,7 @@ a_border_between_surfaces_may_not_be_left_unless_it_must(void)
 		(struct tcs_point){2, 3, 0})));
 	CHECK(cost(&sample, (struct tcs_point){3, 3, 0},
 		      (struct tcs_point){3, 4, 0}) < free_cost);
-	sample.work.settings.loose = true;
+	sample.work.settings.contact_cost = 0;
 	CHECK(cost(&sample, (struct tcs_point){3, 3, 0},
 		      (struct tcs_point){2, 3, 0}) > 0.1);
 	sample_release(&sample);
@@ -211,7 +217,8 @@ a_border_between_surfaces_may_not_be_left_unless_it_must(void)
 static void
 a_seam_of_the_paint_is_a_border(void)
 {
-	const struct collapse_settings settings = {.base_ratio = 2};
+	const struct collapse_settings settings = {
+		.base_ratio = 2, .contact_cost = INFINITY};
 	struct collapse_sample sample = {0};
 	uint32_t charts[72], homes[SAMPLE_FEATURES] = {3, 3, 3, 3};
 	struct tcs_fault fault;
@@ -236,7 +243,8 @@ a_seam_of_the_paint_is_a_border(void)
 static void
 what_stands_on_the_ground_is_not_lifted_off_it(void)
 {
-	const struct collapse_settings settings = {.base_ratio = 2};
+	const struct collapse_settings settings = {
+		.base_ratio = 2, .contact_cost = INFINITY};
 	struct collapse_sample sample = {0};
 
 	sample_add_box(&sample, 1, (struct tcs_point){0, 0, 0},

@@ -1,10 +1,11 @@
 /* That nothing comes to go through what it did not. */
+#include <math.h>
 #include "simplify/crossing.h"
 
 #include "check.h"
 #include "collapse_sample.h"
 
-static const struct collapse_settings plain = {.base_ratio = 2};
+static const struct collapse_settings plain = {.base_ratio = 2, .contact_cost = INFINITY};
 
 /* A pyramid of two metres without a floor, one metre high. */
 static void
@@ -133,7 +134,7 @@ static void
 shells_stay_one_in_the_other(void)
 {
 	static const struct collapse_settings settings[2] = {
-		{.base_ratio = 2}, {.base_ratio = 2, .loose = true}};
+		{.base_ratio = 2, .contact_cost = INFINITY}, {.base_ratio = 2}};
 
 	for (int i = 0; i < 2; i++) {
 		struct collapse_sample sample = {0};

@@ -1,3 +1,4 @@
+#include <math.h>
 #include "simplify/error_watch.h"
 
 #include "check.h"
@@ -27,7 +28,7 @@ static bool
 keeps_top(double height, double max_error)
 {
 	const struct collapse_settings settings = {
-		.base_ratio = 2, .loose = true, .max_error = max_error};
+		.base_ratio = 2, .contact_cost = 0, .max_error = max_error};
 	struct collapse_sample sample = {0};
 	bool kept;
 
@@ -60,7 +61,7 @@ many_small_steps_do_not_add_up(void)
 {
 	enum { SIDES = 256, RINGS = 8 };
 	const struct collapse_settings settings = {
-		.base_ratio = 2, .max_error = 0.02};
+		.base_ratio = 2, .contact_cost = INFINITY, .max_error = 0.02};
 	struct collapse_sample sample = {0};
 	const double step = 2 * 3.14159265358979323846 / SIDES;
 	size_t faces = 0;

@@ -1,9 +1,10 @@
+#include <math.h>
 #include "simplify/face_budget.h"
 
 #include "check.h"
 #include "collapse_sample.h"
 
-static const struct collapse_settings plain = {.base_ratio = 2};
+static const struct collapse_settings plain = {.base_ratio = 2, .contact_cost = INFINITY};
 
 static struct structure_counts
 count(const struct collapse_sample *sample)

@@ -1,3 +1,4 @@
+#include <math.h>
 #include "simplify/placement.h"
 
 #include "check.h"
@@ -60,7 +61,7 @@ static double
 error_of_ball(bool optimal)
 {
 	const struct collapse_settings settings = {
-		.base_ratio = 2, .optimal = optimal};
+		.base_ratio = 2, .contact_cost = INFINITY, .optimal = optimal};
 	struct collapse_sample sample = {0};
 	double sum = 0, faces = 0;
 
@@ -97,7 +98,7 @@ static void
 boundary_vertices_are_never_moved(void)
 {
 	const struct collapse_settings settings = {
-		.base_ratio = 2, .optimal = true};
+		.base_ratio = 2, .contact_cost = INFINITY, .optimal = true};
 	struct collapse_sample sample = {0};
 	size_t boundary = 0;
 
@@ -122,7 +123,7 @@ static void
 vertices_on_a_rim_are_never_moved(void)
 {
 	const struct collapse_settings settings = {
-		.base_ratio = 2, .optimal = true};
+		.base_ratio = 2, .contact_cost = INFINITY, .optimal = true};
 	struct collapse_sample sample = {0};
 
 	for (int x = 0; x < 16; x++)
@@ -151,7 +152,7 @@ static void
 a_limit_on_the_error_holds_for_moved_vertices(void)
 {
 	const struct collapse_settings settings = {
-		.base_ratio = 2, .optimal = true, .max_error = 0.02};
+		.base_ratio = 2, .contact_cost = INFINITY, .optimal = true, .max_error = 0.02};
 	struct collapse_sample sample = {0};
 
 	add_ball(&sample, 1, (struct tcs_point){0, 0, 0}, 1);
