@@ -194,14 +194,14 @@ report_strict(const struct report *report, struct tcs_fault *fault)
 
 /* ---- lines ------------------------------------------------------------- */
 
-/* "polygons", "geometries", "classes" */
+/* "polygons", "geometries", "storeys", "classes" */
 static void
 print_plural(const char *item, FILE *to)
 {
 	size_t length = strlen(item);
 	char last = length ? item[length - 1] : '\0';
 
-	if (last == 'y')
+	if (last == 'y' && length > 1 && !strchr("aeou", item[length - 2]))
 		fprintf(to, "%.*sies", (int)length - 1, item);
 	else if (last == 's')
 		fprintf(to, "%ses", item);

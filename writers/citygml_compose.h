@@ -8,6 +8,7 @@
  * schema wants, and written:
  *
  *     citygml_shelter.c    features that are not in the stream
+ *     citygml_plan_view.c  footprints and roof edges
  *     citygml_compose.c    features, from the top down
  *     citygml_naming.c     ids
  *     citygml_value_tree.c attributes as a tree
@@ -85,6 +86,7 @@ struct node {
 	bool melted; /* not written: what is below belongs to the parent */
 	bool spread; /* a group: what was below it hangs by the parent */
 	bool inside; /* said to be inside its construction */
+	bool flat; /* all it has is a geometry at level 0 */
 };
 
 /* A polygon on its way out. */
@@ -356,9 +358,25 @@ enum tcs_status place_geometry_at(struct composer *composer, uint32_t index,
 	uint32_t feature, uint16_t property, unsigned lod,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* The polygons of one join the geometry that the property has already. */
+enum tcs_status place_geometry_beside(struct composer *composer, uint32_t index,
+	uint32_t feature, uint16_t property,
+	struct tcs_fault *fault) TCS_CHECKED;
+
 /* The same for an instance: the nearest level will do. */
 uint16_t place_find_instance(
 	const struct schema_class *class, uint64_t taken, unsigned lod);
+
+/* ---- citygml_plan_view.c -------------------------------------------------- */
+
+/* Features that are the footprint or the roof edge of what holds them, where
+ * that has properties for these: they are not written. */
+void plan_view_mark(struct composer *composer);
+
+/* Put a footprint or a roof edge where the other version has it; *placed:
+ * whether it was one. */
+enum tcs_status plan_view_place(struct composer *composer, uint32_t index,
+	bool *placed, struct tcs_fault *fault) TCS_CHECKED;
 
 /* ---- citygml_shelter.c ---------------------------------------------------- */
 
@@ -382,6 +400,10 @@ enum tcs_status shelter_geometry(struct composer *composer, uint32_t index,
 	uint32_t owner, bool crowded, struct tcs_fault *fault) TCS_CHECKED;
 enum tcs_status shelter_instance(struct composer *composer, uint32_t index,
 	uint32_t owner, struct tcs_fault *fault) TCS_CHECKED;
+
+/* A surface of the owner for a geometry, at level 0. */
+enum tcs_status shelter_surface(struct composer *composer, uint32_t index,
+	uint32_t owner, unsigned class, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Ids for all of them. */
 void shelters_name(struct composer *composer);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "citygml_compose.h"
+#include "labels.h"
 
 #define LOD_LOST 254
 #define NO_FIT 255
@@ -233,9 +234,10 @@ static enum tcs_status
 place_polygon(struct composer *composer, uint32_t polygon, uint32_t owner,
 	unsigned lod, bool flat, struct tcs_fault *fault)
 {
-	uint32_t surface = compose_written(
+	const uint32_t given = compose_written(
 		composer, composer->object.polygons.at[polygon].surface);
 	struct piece *piece = &composer->pieces.at[polygon];
+	uint32_t surface = given;
 
 	piece->home = owner;
 	for (unsigned i = 0; i < MAX_CLIMB && !flat && surface != owner; i++) {
@@ -253,7 +255,25 @@ place_polygon(struct composer *composer, uint32_t polygon, uint32_t owner,
 			break;
 		surface = node->parent;
 	}
-	return TCS_OK;
+	if (flat || given == owner)
+		return TCS_OK;
+	return compose_note(composer, REPORT_NOTE,
+		label_of(composer->nodes.at[given].number)->name,
+		"no place for its polygons at their level: those of its host",
+		composer->nodes.at[given].id, fault);
+}
+
+/* Where it is written as no solid, though it is one. */
+static enum tcs_status
+note_solid(struct composer *composer, const struct tcs_geometry *geometry,
+	unsigned content, struct tcs_fault *fault)
+{
+	if (!geometry->shell_count ||
+		(content != CONTENT_MULTISURFACE && content != CONTENT_SURFACE))
+		return TCS_OK;
+	return compose_note(composer, REPORT_NOTE, "solid",
+		"there is no place for solids of its kind: written as surfaces",
+		compose_text(composer, geometry->id), fault);
 }
 
 static bool
@@ -263,11 +283,12 @@ is_surfaces(unsigned kind)
 		kind == TCS_TIN;
 }
 
-/* Its polygons join a geometry that stands there already. */
-static enum tcs_status
-merge_geometry(struct composer *composer, uint32_t feature, uint16_t property,
-	const struct tcs_geometry *geometry, struct tcs_fault *fault)
+enum tcs_status
+place_geometry_beside(struct composer *composer, uint32_t index,
+	uint32_t feature, uint16_t property, struct tcs_fault *fault)
 {
+	const struct tcs_geometry *geometry =
+		&composer->object.geometries.at[index];
 	enum tcs_status status = TCS_OK;
 
 	for (uint32_t i = 0; i < geometry->polygon_count && !status; i++) {
@@ -333,6 +354,9 @@ place_geometry_at(struct composer *composer, uint32_t index, uint32_t feature,
 	if (node->class->properties[property].content != CONTENT_TIN)
 		status = paints_break_surface(composer, index, fault);
 	if (!status)
+		status = note_solid(composer, geometry,
+			node->class->properties[property].content, fault);
+	if (!status)
 		status = item_add(composer, feature, property, ITEM_GEOMETRY,
 			index, fault);
 	for (uint32_t i = 0; i < geometry->polygon_count && !status; i++) {
@@ -353,9 +377,14 @@ place_geometry(
 	unsigned lod = level_at(composer, owner, geometry->lod);
 	const struct node *node = &composer->nodes.at[owner];
 	uint16_t property;
+	bool placed;
+	enum tcs_status status;
 
 	if (place_address(composer, index))
 		return TCS_OK;
+	status = plan_view_place(composer, index, &placed, fault);
+	if (status || placed)
+		return status;
 	if (lod == LOD_LOST)
 		return shelter_geometry(composer, index, owner, true, fault);
 	property =
@@ -366,8 +395,8 @@ place_geometry(
 	if (is_surfaces(geometry->kind)) {
 		property = place_find(composer, node->class, 0, geometry, lod);
 		if (property != SCHEMA_NONE)
-			return merge_geometry(
-				composer, owner, property, geometry, fault);
+			return place_geometry_beside(
+				composer, index, owner, property, fault);
 	}
 	return shelter_geometry(composer, index, owner, false, fault);
 }

@@ -274,9 +274,12 @@ plan_child(struct composer *composer, uint32_t feature, unsigned class,
 	const struct tcs_feature *given =
 		&composer->object.features.at[feature];
 	struct node *node = &composer->nodes.at[feature];
+	bool flat = node->flat &&
+		schema_find(composer->nodes.at[node->parent].class,
+			"lod0FootPrint") != SCHEMA_NONE;
 	enum tcs_status status;
 
-	if (hang_somewhere(composer, feature, class)) {
+	if (!flat && hang_somewhere(composer, feature, class)) {
 		if (node->number != given->class &&
 			given->class != TCS_CLASS_Window &&
 			given->class != TCS_CLASS_Door && !node->inside)
@@ -292,7 +295,7 @@ plan_child(struct composer *composer, uint32_t feature, unsigned class,
 		return item_add(composer, node->parent, node->property,
 			ITEM_CHILD, feature, fault);
 	}
-	if (melts(class)) {
+	if (flat || melts(class)) {
 		node->melted = true;
 		return note_class(composer, feature,
 			"no such feature there: its geometry goes to what "
@@ -497,6 +500,7 @@ plan_features(struct composer *composer, struct tcs_fault *fault)
 	memset(composer->nodes.at, 0, count * sizeof *composer->nodes.at);
 	composer->nodes.count = count;
 	mark_inside(composer);
+	plan_view_mark(composer);
 	status = plan_all(composer, fault);
 	for (uint32_t i = 0; i < count && !status; i++)
 		status = name_feature(composer, i, fault);

@@ -197,6 +197,23 @@ shelter_geometry(struct composer *composer, uint32_t index, uint32_t owner,
 }
 
 enum tcs_status
+shelter_surface(struct composer *composer, uint32_t index, uint32_t owner,
+	unsigned class, struct tcs_fault *fault)
+{
+	const struct shelter shelter = {owner, class, true};
+	uint16_t property =
+		place_find(composer, &composer->plan->schema.classes[class], 0,
+			&composer->object.geometries.at[index], 0);
+	enum tcs_status status;
+	uint32_t made;
+
+	status = build(composer, &shelter, &made, fault);
+	return status
+		? status
+		: place_geometry_at(composer, index, made, property, 0, fault);
+}
+
+enum tcs_status
 shelter_instance(struct composer *composer, uint32_t index, uint32_t owner,
 	struct tcs_fault *fault)
 {

@@ -46,6 +46,13 @@ value_member(const struct composer *composer, uint32_t set, const char *name)
 	return member;
 }
 
+/* "https://…", "urn:…", "../…", "#…"; else a target is called by its name. */
+static bool
+is_address(const char *target)
+{
+	return strpbrk(target, ":/#") != NULL;
+}
+
 const char *
 value_external_target(
 	const struct composer *composer, uint32_t set, bool *by_name)
@@ -64,12 +71,14 @@ value_external_target(
 		}
 		for (size_t j = 0; j < 3; j++) {
 			uint32_t at = value_member(composer, member, names[j]);
+			const char *target;
 
 			if (at == TCS_NONE)
 				continue;
-			*by_name = j == 2;
-			return compose_text(composer,
+			target = compose_text(composer,
 				composer->object.attributes.at[at].value);
+			*by_name = j == 2 || (j == 1 && !is_address(target));
+			return target;
 		}
 	}
 	return NULL;
