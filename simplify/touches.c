@@ -54,9 +54,9 @@ touch_faces_fill(struct touch_face *faces, const struct component_set *set,
 					set, sheets->face_triangles.at[i / 3])};
 		face->nodes[k] = node;
 		if (!seen[node])
-			face->asks |= TOUCH_VERTEX << k;
+			face->asks |= (uint32_t)TOUCH_VERTEX << k;
 		if (back == HALF_EDGE_NONE || i < back)
-			face->asks |= TOUCH_EDGE << k;
+			face->asks |= (uint32_t)TOUCH_EDGE << k;
 		seen[node] = true;
 	}
 	free(seen);
