@@ -94,6 +94,7 @@ bundle_of(struct ring_face *faces, size_t count)
 
 		faces[i].normal =
 			length > 0 ? vector_scaled(normal, 1 / length) : normal;
+		faces[i].box = float_box_of(&faces[i].shape);
 		for (int k = 0; k < 3; k++)
 			box_add_point(&bundle.box, faces[i].shape.corner[k]);
 	}
@@ -139,10 +140,14 @@ have_an_edge(const struct ring_face *a, const struct ring_face *b)
 static bool
 crosses_any(const struct bundle *bundle, const struct ring_face *other)
 {
+	struct float_box box = float_box_of(&other->shape);
+
 	for (size_t i = 0; i < bundle->count; i++) {
 		const struct ring_face *face = &bundle->faces[i];
 
-		if (face->face != other->face && !have_an_edge(face, other) &&
+		if (float_boxes_meet(&face->box, &box) &&
+			face->face != other->face &&
+			!have_an_edge(face, other) &&
 			triangles_cross_along(
 				&face->shape, face->normal, &other->shape))
 			return true;
