@@ -12,17 +12,6 @@ enum {
 /* ---- boxes --------------------------------------------------------------- */
 
 void
-box_add_point(struct box *box, struct tcs_point point)
-{
-	const double at[3] = {point.x, point.y, point.z};
-
-	for (int i = 0; i < 3; i++) {
-		box->low[i] = at[i] < box->low[i] ? at[i] : box->low[i];
-		box->high[i] = at[i] > box->high[i] ? at[i] : box->high[i];
-	}
-}
-
-void
 box_add(struct box *box, const struct box *other)
 {
 	for (int i = 0; i < 3; i++) {

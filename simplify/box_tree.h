@@ -29,7 +29,17 @@ struct box {
 	((struct box){{INFINITY, INFINITY, INFINITY}, \
 		{-INFINITY, -INFINITY, -INFINITY}})
 
-void box_add_point(struct box *box, struct tcs_point point);
+static inline void
+box_add_point(struct box *box, struct tcs_point point)
+{
+	const double at[3] = {point.x, point.y, point.z};
+
+	for (int i = 0; i < 3; i++) {
+		box->low[i] = at[i] < box->low[i] ? at[i] : box->low[i];
+		box->high[i] = at[i] > box->high[i] ? at[i] : box->high[i];
+	}
+}
+
 void box_add(struct box *box, const struct box *other);
 /* The distance between two boxes, squared; 0 where they overlap. */
 double box_gap_squared(const struct box *a, const struct box *b);

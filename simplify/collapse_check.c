@@ -521,6 +521,18 @@ collapse_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 	return TCS_OK;
 }
 
+static void
+join_borders(struct collapses *work, uint32_t node, uint32_t target)
+{
+	const struct quadric *from = borders_of(work, node);
+	struct quadric *to = borders_of(work, target);
+
+	if (from && to)
+		quadric_add(to, from);
+	else if (from)
+		work->border_places.at[target] = work->border_places.at[node];
+}
+
 enum tcs_status
 collapse_do(struct collapses *work, uint32_t node, uint32_t target,
 	struct tcs_fault *fault)
@@ -535,7 +547,7 @@ collapse_do(struct collapses *work, uint32_t node, uint32_t target,
 	if (status)
 		return status;
 	quadric_add(&work->quadrics.at[target], &work->quadrics.at[node]);
-	quadric_add(&work->borders.at[target], &work->borders.at[node]);
+	join_borders(work, node, target);
 	work->areas.at[target] += work->areas.at[node];
 	return TCS_OK;
 }

@@ -62,11 +62,12 @@ worst_sine(const struct collapses *work, uint32_t node, uint32_t target,
 static double
 border_cost(const struct collapses *work, uint32_t node, struct tcs_point to)
 {
-	const struct quadric *borders = &work->borders.at[node];
-	double weight = borders->xx + borders->yy + borders->zz, cost;
+	const struct quadric *borders = borders_of(work, node);
+	double weight, cost;
 
-	if (!(weight > 0))
+	if (!borders)
 		return 0;
+	weight = borders->xx + borders->yy + borders->zz;
 	cost = quadric_at(borders, to);
 	if (cost > BORDER_LIMIT * BORDER_LIMIT * weight)
 		cost += BORDER_WORTH * work->settings.contact_cost;

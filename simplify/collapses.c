@@ -49,17 +49,18 @@ make_room(struct collapses *work, struct tcs_fault *fault)
 
 	array_clear(&work->positions);
 	array_clear(&work->quadrics);
-	array_clear(&work->borders);
+	array_clear(&work->border_places);
 	array_clear(&work->areas);
 	array_clear(&work->targets);
 	if (array_grow(&work->positions, nodes) ||
 		array_grow(&work->quadrics, nodes) ||
-		array_grow(&work->borders, nodes) ||
+		array_grow(&work->border_places, nodes) ||
 		array_grow(&work->areas, nodes) ||
 		array_grow(&work->targets, nodes))
 		return fault_memory(fault);
-	work->positions.count = work->quadrics.count = work->borders.count =
-		work->areas.count = work->targets.count = nodes;
+	work->positions.count = work->quadrics.count =
+		work->border_places.count = work->areas.count =
+			work->targets.count = nodes;
 	return node_queue_reset(&work->queue, nodes, fault);
 }
 
@@ -421,6 +422,7 @@ collapses_end(struct collapses *work)
 {
 	array_release(&work->quadrics);
 	array_release(&work->borders);
+	array_release(&work->border_places);
 	array_release(&work->areas);
 	array_release(&work->targets);
 	node_queue_release(&work->queue);

@@ -62,7 +62,8 @@ struct collapses {
 	struct collapse_settings settings;
 	TCS_ARRAY(struct tcs_point) positions; /* per node */
 	TCS_ARRAY(struct quadric) quadrics; /* per node */
-	TCS_ARRAY(struct quadric) borders; /* per node: of its surfaces */
+	TCS_ARRAY(struct quadric) borders; /* of nodes where surfaces meet */
+	TCS_ARRAY(uint32_t) border_places; /* per node: of them; TCS_NONE */
 	TCS_ARRAY(double) areas; /* per node: of its faces, square metres */
 	TCS_ARRAY(bool) fixed; /* per node, see placement.h */
 	TCS_ARRAY(uint32_t) targets; /* per node: the best; TCS_NONE */
@@ -151,6 +152,15 @@ static inline uint32_t
 node_of(const struct collapses *work, uint32_t vertex)
 {
 	return work->sheets->vertex_nodes.at[vertex];
+}
+
+/* The borders between surfaces at a node; NULL where there are none. */
+static inline struct quadric *
+borders_of(const struct collapses *work, uint32_t node)
+{
+	uint32_t place = work->border_places.at[node];
+
+	return place == TCS_NONE ? NULL : &work->borders.at[place];
 }
 
 /* The edges of a vertex, valid until the next call. */

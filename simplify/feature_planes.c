@@ -43,17 +43,19 @@ add_face(struct collapses *work, size_t face)
 {
 	const uint32_t *corners = corners_of(work, face);
 	struct tcs_point normal = work->sheets->normals.at[face];
+	struct quadric plane = {0};
 	struct triangle_shape shape;
 	double area;
 
 	for (int k = 0; k < 3; k++)
 		shape.corner[k] = work->positions.at[node_of(work, corners[k])];
 	area = triangle_area(&shape);
+	quadric_add_plane(
+		&plane, normal, -vector_dot(normal, shape.corner[0]), area);
 	for (int k = 0; k < 3; k++) {
 		uint32_t node = node_of(work, corners[k]);
 
-		quadric_add_plane(&work->quadrics.at[node], normal,
-			-vector_dot(normal, shape.corner[0]), area);
+		quadric_add(&work->quadrics.at[node], &plane);
 		work->areas.at[node] += area;
 	}
 }
@@ -111,20 +113,37 @@ have_a_border(const struct collapses *work, uint32_t a, uint32_t b)
 		work->set->features.at[t] == work->features.at[b];
 }
 
+/* Borders of a node, which may be its first. */
+static struct quadric *
+make_borders(struct collapses *work, uint32_t node)
+{
+	if (work->border_places.at[node] == TCS_NONE) {
+		if (array_grow(&work->borders, 1))
+			return NULL;
+		work->border_places.at[node] = (uint32_t)work->borders.count;
+		work->borders.at[work->borders.count++] = (struct quadric){0};
+	}
+	return borders_of(work, node);
+}
+
 /* What a border between surfaces adds at one of its ends: a plane across the
    face of the one that leads, or across both. */
-static void
+static enum tcs_status
 add_border(struct collapses *work, uint32_t node, const struct spoke *spoke,
-	uint32_t other)
+	uint32_t other, struct tcs_fault *fault)
 {
 	struct tcs_point from = work->positions.at[node];
 	uint32_t faces[2] = {spoke->face, other};
+	struct quadric *borders;
 	struct tcs_point along;
 	bool leads[2];
 
 	if (spoke->face == HALF_EDGE_NONE || other == HALF_EDGE_NONE ||
 		!have_a_border(work, spoke->face, other))
-		return;
+		return TCS_OK;
+	borders = make_borders(work, node);
+	if (!borders)
+		return fault_memory(fault);
 	along = vector_difference(
 		work->positions.at[node_of(work, spoke->to)], from);
 	for (int i = 0; i < 2; i++)
@@ -135,29 +154,30 @@ add_border(struct collapses *work, uint32_t node, const struct spoke *spoke,
 
 		if (leads[1 - i] && !leads[i])
 			continue;
-		quadric_add_plane(&work->borders.at[node], across,
-			-vector_dot(across, from),
+		quadric_add_plane(borders, across, -vector_dot(across, from),
 			LINE_PENALTY * vector_dot(along, along));
 	}
+	return TCS_OK;
 }
 
 enum tcs_status
 collapses_weigh_borders(struct collapses *work, struct tcs_fault *fault)
 {
 	size_t vertices = work->sheets->vertex_nodes.count, count;
+	enum tcs_status status = TCS_OK;
 
 	for (size_t i = 0; i < work->sheets->node_count; i++)
-		work->borders.at[i] = (struct quadric){0};
-	for (uint32_t v = 0; v < vertices; v++) {
-		enum tcs_status status = spokes_of(work, v, &count, fault);
-
-		if (status)
-			return status;
-		for (size_t i = 0; i < count; i++)
-			add_border(work, node_of(work, v), &work->spokes.at[i],
-				work->spokes.at[i ? i - 1 : count - 1].face);
+		work->border_places.at[i] = TCS_NONE;
+	array_clear(&work->borders);
+	for (uint32_t v = 0; !status && v < vertices; v++) {
+		status = spokes_of(work, v, &count, fault);
+		for (size_t i = 0; !status && i < count; i++)
+			status = add_border(work, node_of(work, v),
+				&work->spokes.at[i],
+				work->spokes.at[i ? i - 1 : count - 1].face,
+				fault);
 	}
-	return TCS_OK;
+	return status;
 }
 
 void

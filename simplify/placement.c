@@ -107,8 +107,12 @@ find_place(const struct collapses *work, uint32_t node, uint32_t target,
 		return false;
 	sum = work->quadrics.at[node];
 	quadric_add(&sum, &work->quadrics.at[target]);
-	quadric_add(&sum, &work->borders.at[node]);
-	quadric_add(&sum, &work->borders.at[target]);
+	for (int i = 0; i < 2; i++) {
+		const struct quadric *borders = borders_of(work, nodes[i]);
+
+		if (borders)
+			quadric_add(&sum, borders);
+	}
 	if (solve(&sum, &places[3]) &&
 		vector_length(vector_difference(places[3], middle)) <=
 			vector_length(vector_difference(b, a)))
