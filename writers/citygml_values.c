@@ -190,6 +190,10 @@ is_shortened(const struct composer *composer, uint32_t index,
 
 	if (property->content == CONTENT_ADDRESS)
 		return address_is_shortened(composer, index);
+	if (property->content == CONTENT_EXTERNAL)
+		return !compose_is_3(composer) &&
+			value_deep_member(composer, index, "relationType") !=
+			TCS_NONE;
 	if (!content_is_simple(property->content))
 		return false;
 	return (attribute->code_space && !may_have_space(composer, property)) ||
