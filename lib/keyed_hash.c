@@ -23,15 +23,20 @@ word_at(const unsigned char *bytes)
 	return word;
 }
 
-/* Up to eight bytes. */
+/* Up to eight bytes: no two texts of one length have the same word. */
 static inline uint64_t
 short_word(const unsigned char *bytes, size_t length)
 {
-	uint64_t word = 0;
+	uint32_t first, last;
 
-	for (size_t i = 0; i < length; i++)
-		word = word << 8 | bytes[i];
-	return word;
+	if (length < 4)
+		return length ? (uint64_t)bytes[0] << 16 |
+				(uint64_t)bytes[length / 2] << 8 |
+				bytes[length - 1]
+			      : 0;
+	memcpy(&first, bytes, sizeof first);
+	memcpy(&last, bytes + length - 4, sizeof last);
+	return (uint64_t)first << 32 | last;
 }
 
 uint64_t

@@ -121,7 +121,8 @@ material_value_end(struct gml_reader *reader, const struct name *name)
 	if (!strcmp(name->local, "isSmooth"))
 		material->smooth = read_boolean(reader);
 	for (size_t i = 0; i < sizeof values / sizeof *values; i++)
-		if (!strcmp(name->local, values[i].name))
+		if (*name->local == *values[i].name &&
+			!strcmp(name->local, values[i].name))
 			read_numbers(reader, values[i].to, values[i].count);
 }
 

@@ -152,7 +152,8 @@ is_plain_attribute(const struct xml_attribute *attribute, bool of_property)
 	if (!strcmp(attribute->local, "type") && !attribute->prefix)
 		return true;
 	for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-		if (!strcmp(attribute->local, known[i]))
+		if (*attribute->local == *known[i] &&
+			!strcmp(attribute->local, known[i]))
 			return false;
 	return !is_link || (!of_property && !strcmp(attribute->local, "href"));
 }

@@ -8,6 +8,7 @@
 #include "citygml_links.h"
 #include "citygml_raw.h"
 #include "citygml_store.h"
+#include "keyed_hash.h"
 #include "number.h"
 #include "report.h"
 #include "triangulate.h"
@@ -17,6 +18,7 @@ struct build_plan {
 	struct lod_choice lods;
 	const struct raw_library *library; /* NULL in the first pass */
 	const struct paint_store *store; /* closed; NULL: no global paints */
+	struct hash_key id_key; /* of hashes that stand for ids */
 };
 
 /* A paint waiting for its polygon. */

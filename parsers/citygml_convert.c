@@ -106,7 +106,8 @@ parts_find(struct convert *convert, struct document_parts *wanted,
 	if (!hashes)
 		return fault_memory(fault);
 	for (size_t i = 0; i < count; i++)
-		hashes[i] = key_hash(convert->library.wanted.at[i]);
+		hashes[i] =
+			id_hash(&convert->plan, convert->library.wanted.at[i]);
 	qsort(hashes, count, sizeof *hashes, compare_hashes);
 	wanted->head_end = deferred->head_end =
 		convert->document.reader.head_end;
@@ -179,6 +180,7 @@ convert_begin(struct convert *convert, FILE *file, struct tcs_fault *fault)
 	progress_begin(&convert->progress, convert->command->program->name,
 		"objects", convert->command->quiet);
 	convert->plan.lods = convert->options->lods;
+	convert->plan.id_key = hash_key_new();
 	status = builder_init(&convert->builder, fault);
 	return status ? status
 		      : gml_begin(&convert->document.reader,

@@ -5,16 +5,6 @@
 
 #include "tcs.h"
 
-size_t
-key_hash(const char *key)
-{
-	uint64_t hash = 14695981039346656037u;
-
-	for (; *key; key++)
-		hash = (hash ^ (unsigned char)*key) * 1099511628211u;
-	return (size_t)(hash ^ hash >> 32);
-}
-
 static uint32_t *
 slot_of(const struct key_table *table, const char *key)
 {

@@ -24,7 +24,4 @@ enum tcs_status keys_add(struct key_table *table, const char *key,
 
 void keys_release(struct key_table *table);
 
-/* FNV-1a of a string, for what is compared by its hash. */
-size_t key_hash(const char *key);
-
 #endif

@@ -20,13 +20,11 @@ intern(struct namespaces *namespaces, const char *at, size_t length)
 		namespaces->parts, (const xmlChar *)at, (int)length);
 }
 
-/* Interned pointers differ in their middle bits; mix them down. */
 static struct spelling *
 slot_of(const struct namespaces *namespaces, const char *spelled)
 {
 	size_t mask = namespaces->slots.count - 1;
-	uint64_t mixed = (uint64_t)(uintptr_t)spelled * 0x9e3779b97f4a7c15u;
-	size_t i = (size_t)(mixed >> 32) & mask;
+	size_t i = spelling_slot(namespaces, spelled);
 	struct spelling *slots = namespaces->slots.at;
 
 	while (slots[i].spelled && slots[i].spelled != spelled)
@@ -89,7 +87,7 @@ spelling_part(struct namespaces *namespaces, struct spelling *spelling)
 }
 
 struct spelling *
-spelling_find(struct namespaces *namespaces, const char *spelled)
+spelling_look(struct namespaces *namespaces, const char *spelled)
 {
 	struct spelling made = {.spelled = spelled}, *slot;
 

@@ -50,9 +50,31 @@ struct namespaces {
 
 void namespaces_release(struct namespaces *namespaces);
 
-/* Valid until the next call. NULL without memory. */
-struct spelling *spelling_find(
+/* Interned pointers differ in their middle bits; mix them down. */
+static inline size_t
+spelling_slot(const struct namespaces *namespaces, const char *spelled)
+{
+	uint64_t mixed = (uint64_t)(uintptr_t)spelled * 0x9e3779b97f4a7c15u;
+
+	return (size_t)(mixed >> 32) & (namespaces->slots.count - 1);
+}
+
+/* The one of this name, made if need be. */
+struct spelling *spelling_look(
 	struct namespaces *namespaces, const char *spelled);
+
+/* Valid until the next call. NULL without memory. */
+static inline struct spelling *
+spelling_find(struct namespaces *namespaces, const char *spelled)
+{
+	struct spelling *first;
+
+	if (!namespaces->used)
+		return spelling_look(namespaces, spelled);
+	first = &namespaces->slots.at[spelling_slot(namespaces, spelled)];
+	return first->spelled == spelled ? first
+					 : spelling_look(namespaces, spelled);
+}
 
 /*
  * The element at this depth has an attribute that declares, of this value. What must not

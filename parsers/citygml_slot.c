@@ -48,7 +48,8 @@ keep_missing(struct slot *slot, enum convert_phase phase,
 }
 
 static enum tcs_status
-hash_ids(struct slot *slot, struct tcs_fault *fault)
+hash_ids(struct slot *slot, const struct build_plan *plan,
+	struct tcs_fault *fault)
 {
 	const struct raw_object *raw = slot->raw;
 
@@ -56,8 +57,8 @@ hash_ids(struct slot *slot, struct tcs_fault *fault)
 	if (array_grow(&slot->hashes, raw->targets.count))
 		return fault_memory(fault);
 	for (size_t i = 0; i < raw->targets.count; i++)
-		slot->hashes.at[slot->hashes.count++] = key_hash(
-			object_text(&raw->tree, raw->targets.at[i].id));
+		slot->hashes.at[slot->hashes.count++] = id_hash(
+			plan, object_text(&raw->tree, raw->targets.at[i].id));
 	return TCS_OK;
 }
 
@@ -99,7 +100,7 @@ slot_work(struct slot *slot, enum convert_phase phase,
 	slot_forget(slot);
 	if (phase == PHASE_COLLECT)
 		return TCS_OK;
-	status = hash_ids(slot, fault);
+	status = hash_ids(slot, plan, fault);
 	if (!status)
 		status = paints_fetch(plan, slot->raw, fault);
 	if (!status)

@@ -4,6 +4,8 @@
 #ifndef TESSERA_CITYGML_SLOT_H
 #define TESSERA_CITYGML_SLOT_H
 
+#include <string.h>
+
 #include "citygml_build.h"
 #include "citygml_raw.h"
 #include "report.h"
@@ -39,6 +41,13 @@ void slot_release(struct slot *slot);
 enum tcs_status slot_work(struct slot *slot, enum convert_phase phase,
 	const struct build_plan *plan, struct builder *builder,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/* As in slot->hashes. */
+static inline uint64_t
+id_hash(const struct build_plan *plan, const char *id)
+{
+	return keyed_hash(&plan->id_key, id, strlen(id));
+}
 
 /* Whether it links to a template that may be still to come. */
 bool slot_waits(const struct slot *slot, enum convert_phase phase);

@@ -113,14 +113,20 @@ put_paint(struct paint_store *store, const struct raw_object *raw,
 	return 0;
 }
 
+static uint64_t
+store_hash(const struct paint_store *store, const char *id)
+{
+	return keyed_hash(&store->key, id, strlen(id));
+}
+
 static int
-place_add(void *places, const char *id, uint64_t at)
+place_add(void *places, uint64_t hash, uint64_t at)
 {
 	TCS_ARRAY_TYPE(places, struct store_place) *to = places;
 
 	if (array_grow(to, 1))
 		return -1;
-	to->at[to->count++] = (struct store_place){key_hash(id), at};
+	to->at[to->count++] = (struct store_place){hash, at};
 	return 0;
 }
 
@@ -128,7 +134,7 @@ place_add(void *places, const char *id, uint64_t at)
 static int
 source_add(struct paint_store *store, const char *source)
 {
-	uint64_t hash = key_hash(source);
+	uint64_t hash = store_hash(store, source);
 	size_t count = store->sources.count;
 
 	if (!*source || (count && store->sources.at[count - 1] == hash))
@@ -143,17 +149,21 @@ enum tcs_status
 store_add(struct paint_store *store, const struct raw_object *raw,
 	const struct raw_paint *paint, struct tcs_fault *fault)
 {
-	if (!store->file)
+	const char *target = object_text(&raw->tree, paint->target);
+	const char *mapping_id = object_text(&raw->tree, paint->mapping_id);
+
+	if (!store->file) {
 		store->file = tmpfile();
+		store->key = hash_key_new();
+	}
 	if (!store->file)
 		return fault_system(fault, "cannot create", "a temporary file");
 	if (put_paint(store, raw, paint) ||
-		place_add(&store->places,
-			object_text(&raw->tree, paint->target), store->size) ||
-		(paint->mapping_id &&
+		place_add(&store->places, store_hash(store, target),
+			store->size) ||
+		(*mapping_id &&
 			place_add(&store->mappings,
-				object_text(&raw->tree, paint->mapping_id),
-				store->size)) ||
+				store_hash(store, mapping_id), store->size)) ||
 		source_add(store, object_text(&raw->tree, paint->source)))
 		return fault_memory(fault);
 	if (fwrite(store->bytes.at, 1, store->bytes.count, store->file) !=
@@ -213,7 +223,7 @@ aliases_check(struct paint_store *store, struct report *report,
 
 	for (size_t i = 0; !status && i < store->aliases.count; i++) {
 		const struct store_alias *alias = &store->aliases.at[i];
-		uint64_t hash = key_hash(alias->source);
+		uint64_t hash = store_hash(store, alias->source);
 
 		if (!store->sources.count ||
 			!bsearch(&hash, store->sources.at, store->sources.count,
@@ -467,7 +477,7 @@ enum tcs_status
 store_fetch(const struct paint_store *store, struct raw_object *raw,
 	tcs_text target, struct tcs_fault *fault)
 {
-	uint64_t hash = key_hash(object_text(&raw->tree, target));
+	uint64_t hash = store_hash(store, object_text(&raw->tree, target));
 	enum tcs_status status = TCS_OK;
 
 	for (size_t i = first_place(
@@ -511,7 +521,7 @@ store_fetch_mapping(const struct paint_store *store, struct raw_object *raw,
 	size_t paint, bool *found, struct tcs_fault *fault)
 {
 	tcs_text link = raw->paints.at[paint].link;
-	uint64_t hash = key_hash(object_text(&raw->tree, link));
+	uint64_t hash = store_hash(store, object_text(&raw->tree, link));
 	enum tcs_status status = TCS_OK;
 
 	*found = false;

@@ -13,6 +13,7 @@
 
 #include "array.h"
 #include "citygml_raw.h"
+#include "keyed_hash.h"
 
 struct store_place {
 	uint64_t hash; /* of the target's id */
@@ -33,6 +34,7 @@ struct paint_store {
 	TCS_ARRAY(struct store_place) mappings; /* the same by mapping_id */
 	TCS_ARRAY(struct store_alias) aliases; /* sorted once closed */
 	TCS_ARRAY(uint64_t) sources; /* hashes, sorted once closed */
+	struct hash_key key; /* of all hashes, once there is a file */
 	TCS_ARRAY(unsigned char) bytes; /* one paint on its way out */
 };
 
