@@ -25,6 +25,7 @@ report_clear(struct report *report)
 		free(report->entries.at[i].id);
 	array_clear(&report->reasons);
 	array_clear(&report->counts);
+	report->last = 0;
 	array_clear(&report->entries);
 }
 
@@ -38,33 +39,38 @@ report_release(struct report *report)
 }
 
 /* Nearly always the very same text, which is looked for first. */
-static struct report_count *
-count_find(struct report *report, const char *name)
+static size_t
+count_find(const struct report *report, const char *name)
 {
-	for (size_t i = 0; i < report->counts.count; i++)
-		if (report->counts.at[i].name == name)
-			return &report->counts.at[i];
-	for (size_t i = 0; i < report->counts.count; i++)
-		if (*report->counts.at[i].name == *name &&
-			!strcmp(report->counts.at[i].name, name))
-			return &report->counts.at[i];
-	return NULL;
+	const struct report_count *counts = report->counts.at;
+	size_t i = report->last;
+
+	for (; i < report->counts.count && i < report->last + 2; i++)
+		if (counts[i].name == name)
+			return i;
+	for (i = 0; i < report->counts.count; i++)
+		if (counts[i].name == name)
+			return i;
+	for (i = 0; i < report->counts.count; i++)
+		if (*counts[i].name == *name && !strcmp(counts[i].name, name))
+			break;
+	return i;
 }
 
 enum tcs_status
 report_add(struct report *report, const char *name, uint64_t count,
 	struct tcs_fault *fault)
 {
-	struct report_count *row = count_find(report, name);
+	size_t found = count_find(report, name);
 
-	if (row) {
-		row->count += count;
-		return TCS_OK;
+	if (found == report->counts.count) {
+		if (array_grow(&report->counts, 1))
+			return fault_memory(fault);
+		report->counts.at[report->counts.count++] =
+			(struct report_count){name, 0};
 	}
-	if (array_grow(&report->counts, 1))
-		return fault_memory(fault);
-	report->counts.at[report->counts.count++] =
-		(struct report_count){name, count};
+	report->counts.at[found].count += count;
+	report->last = found;
 	return TCS_OK;
 }
 

@@ -48,6 +48,7 @@ struct report_entry {
 
 struct report {
 	TCS_ARRAY(struct report_count) counts;
+	size_t last; /* count added to: the same or the next one follows */
 	TCS_ARRAY(struct report_reason) reasons;
 	TCS_ARRAY(struct report_entry) entries;
 };
