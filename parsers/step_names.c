@@ -10,7 +10,7 @@
 struct folded {
 	uint64_t words[(STEP_MAX_NAME + 7) / 8];
 	size_t count;
-	uint32_t hash;
+	uint32_t hash; /* once it is asked for */
 };
 
 #define FOLD UINT64_C(0xdfdfdfdfdfdfdfdf)
@@ -18,8 +18,6 @@ struct folded {
 static void
 name_fold(struct folded *out, const char *name, size_t length)
 {
-	uint64_t hash = length;
-
 	out->count = (length + 7) / 8;
 	out->words[out->count - 1] = 0;
 	for (size_t i = 0; i < out->count; i++) {
@@ -30,10 +28,14 @@ name_fold(struct folded *out, const char *name, size_t length)
 		else
 			memcpy(out->words + i, name + i * 8, left);
 		out->words[i] &= FOLD;
-		hash = (hash ^ out->words[i]) * UINT64_C(0x9e3779b97f4a7c15);
-		hash ^= hash >> 29;
 	}
-	out->hash = (uint32_t)(hash >> 16);
+}
+
+static void
+name_hash(const struct step_names *names, struct folded *folded)
+{
+	folded->hash = (uint32_t)keyed_hash(
+		&names->key, folded->words, folded->count * 8);
 }
 
 /* `text` is what `folded` was made of; most are in capitals as they stand. */
@@ -113,6 +115,7 @@ step_names_begin(struct step_names *names, struct tcs_fault *fault)
 {
 	enum tcs_status status = name_add(names, "", 0, 0, fault);
 
+	names->key = hash_key_new();
 	return status ? status : slots_grow(names, fault);
 }
 
@@ -130,6 +133,7 @@ step_names_intern(struct step_names *names, const char *name, size_t length,
 			return status;
 	}
 	name_fold(&folded, name, length);
+	name_hash(names, &folded);
 	at = slot_find(names, &folded, name, length);
 	if (!names->slots[at]) {
 		status = name_add(names, name, length, folded.hash, fault);
@@ -150,6 +154,7 @@ step_names_find(const struct step_names *names, const char *name)
 	if (!names->slot_count || !length || length > STEP_MAX_NAME)
 		return 0;
 	name_fold(&folded, name, length);
+	name_hash(names, &folded);
 	return names->slots[slot_find(names, &folded, name, length)];
 }
 

@@ -11,6 +11,7 @@
 
 #include "arena.h"
 #include "array.h"
+#include "keyed_hash.h"
 
 enum {
 	STEP_MAX_NAME = 255, /* bytes */
@@ -28,6 +29,7 @@ struct step_names {
 	TCS_ARRAY(struct step_name) list; /* [0] is the empty name */
 	uint16_t *slots; /* numbers; 0: free */
 	size_t slot_count; /* a power of two, or 0 */
+	struct hash_key key;
 	struct arena text;
 };
 
