@@ -6,6 +6,8 @@
 
 enum { SEGMENTS, BASE_CURVE = 2, END_POINT };
 
+enum { HORIZONTAL, VERTICAL_RISE, PLAN_SEGMENTS = 1 };
+
 enum { OFFSET_BASIS, OFFSET_VALUES };
 
 enum { SEGMENT_PLACEMENT = 1 };
@@ -156,10 +158,10 @@ chords_read(
 
 /* Segments placed one by one, each in the plane. */
 static enum ifc_outcome
-segments_read(
-	struct ifc_shaper *shaper, uint32_t curve, struct ifc_alignment *out)
+segments_read(struct ifc_shaper *shaper, uint32_t curve, int position,
+	struct ifc_alignment *out)
 {
-	struct step_value list = ifc_value(shaper->file, curve, SEGMENTS), item;
+	struct step_value list = ifc_value(shaper->file, curve, position), item;
 	enum ifc_outcome outcome = IFC_SHAPED;
 
 	while (!outcome && list.kind == STEP_LIST &&
@@ -267,12 +269,36 @@ raised_read(
 
 	if (!outcome &&
 		ifc_entity_of(shaper->file, curve) == IFC_GRADIENTCURVE) {
-		outcome = segments_read(shaper, curve, &height);
+		outcome = segments_read(shaper, curve, SEGMENTS, &height);
 		marks_rise(shaper, &height);
 	} else if (!outcome) {
 		outcome = cant_read(shaper, curve, &height);
 	}
 	if (!outcome && !height.count)
+		outcome = ifc_refuse(shaper, curve, "a curve has no segments");
+	if (!outcome)
+		outcome = alignments_merge(&base, &height, out);
+	array_release(&base);
+	array_release(&height);
+	return outcome;
+}
+
+/* An IfcAlignmentCurve: segments in plan, and where there are, in elevation. */
+static enum ifc_outcome
+aligned_read(
+	struct ifc_shaper *shaper, uint32_t curve, struct ifc_alignment *out)
+{
+	uint32_t plan = ifc_target(shaper->file, curve, HORIZONTAL);
+	uint32_t rise = ifc_target(shaper->file, curve, VERTICAL_RISE);
+	struct ifc_alignment base = {.count = 0}, height = {.count = 0};
+	enum ifc_outcome outcome;
+
+	if (rise == STEP_NONE)
+		return segments_read(shaper, plan, PLAN_SEGMENTS, out);
+	outcome = segments_read(shaper, plan, PLAN_SEGMENTS, &base);
+	if (!outcome)
+		outcome = ifc_rise_marks(shaper, rise, &height);
+	if (!outcome && (!base.count || !height.count))
 		outcome = ifc_refuse(shaper, curve, "a curve has no segments");
 	if (!outcome)
 		outcome = alignments_merge(&base, &height, out);
@@ -300,8 +326,10 @@ offsets_read(
 		struct step_value up = ifc_value(file, point, VERTICAL);
 		struct ifc_mark mark = {.along = 0};
 
-		if (ifc_entity_of(file, point) !=
-				IFC_POINTBYDISTANCEEXPRESSION ||
+		if ((ifc_entity_of(file, point) !=
+				    IFC_POINTBYDISTANCEEXPRESSION &&
+			    ifc_entity_of(file, point) !=
+				    IFC_DISTANCEEXPRESSION) ||
 			!ifc_distance_read(&along, &mark.along))
 			return ifc_refuse(shaper, curve, "an offset is bad");
 		if (out->count && !(mark.along > out->at[out->count - 1].along))
@@ -381,6 +409,7 @@ ifc_is_alignment(const struct ifc_file *file, uint32_t curve)
 	struct step_value list, first;
 
 	switch (ifc_entity_of(file, curve)) {
+	case IFC_ALIGNMENTCURVE:
 	case IFC_GRADIENTCURVE:
 	case IFC_SEGMENTEDREFERENCECURVE:
 	case IFC_OFFSETCURVEBYDISTANCES:
@@ -405,7 +434,9 @@ read_inside(
 		return chords_read(shaper, curve, out);
 	switch (ifc_entity_of(shaper->file, curve)) {
 	case IFC_COMPOSITECURVE:
-		return segments_read(shaper, curve, out);
+		return segments_read(shaper, curve, SEGMENTS, out);
+	case IFC_ALIGNMENTCURVE:
+		return aligned_read(shaper, curve, out);
 	case IFC_OFFSETCURVEBYDISTANCES:
 		return beside_read(shaper, curve, out);
 	default:

@@ -7,7 +7,9 @@
  * distance. Distances are measured in plan.
  *
  * source: IfcCurveSegment, IfcGradientCurve, IfcSegmentedReferenceCurve,
- * IfcSpiral, IfcOffsetCurveByDistances (ISO 16739-1:2024 8.9.3).
+ * IfcSpiral, IfcOffsetCurveByDistances (ISO 16739-1:2024 8.9.3);
+ * IfcAlignmentCurve, IfcCurveSegment2D, IfcAlignment2DVertical (IFC4.1 of
+ * buildingSMART).
  */
 #ifndef TESSERA_IFC_ALIGNMENT_H
 #define TESSERA_IFC_ALIGNMENT_H
@@ -47,11 +49,21 @@ struct ifc_matrix ifc_mark_axes(const struct ifc_mark *mark);
 /* ---- ifc_alignment_piece.c ----------------------------------------------- */
 
 /*
- * Append the marks of an IfcCurveSegment in its plane, from a distance on:
- * `along` counts them, and z and slope are 0.
+ * Append the marks of an IfcCurveSegment, or an
+ * IfcAlignment2DHorizontalSegment, in its plane, from a distance on: `along`
+ * counts them, and z and slope are 0.
  */
 enum ifc_outcome ifc_piece_marks(struct ifc_shaper *shaper, uint32_t segment,
 	double along, struct ifc_alignment *out) TCS_CHECKED;
+
+/* ---- ifc_alignment_rise.c ------------------------------------------------ */
+
+/*
+ * Append the marks of an IfcAlignment2DVertical: heights and slopes at
+ * distances in plan.
+ */
+enum ifc_outcome ifc_rise_marks(struct ifc_shaper *shaper, uint32_t vertical,
+	struct ifc_alignment *out) TCS_CHECKED;
 
 /* ---- ifc_alignment_place.c ----------------------------------------------- */
 
@@ -66,6 +78,16 @@ struct ifc_alignment_kept {
 	uint32_t curve;
 	struct ifc_alignment marks; /* none: nothing is kept */
 };
+
+/*
+ * The axes of a curve, as ifc_mark_axes, at a point given by its distance and
+ * offsets: an IfcPointByDistanceExpression, or the IfcDistanceExpression of
+ * IFC4X1. `upright` takes neither the slope nor the roll of the curve. `kept`
+ * is as below.
+ */
+enum ifc_outcome ifc_distance_axes(struct ifc_shaper *shaper, uint32_t point,
+	uint32_t curve, bool upright, struct ifc_alignment_kept *kept,
+	struct ifc_matrix *out) TCS_CHECKED;
 
 /*
  * The matrix of an IfcAxis2PlacementLinear in the coordinates of its curve.

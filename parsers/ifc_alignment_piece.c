@@ -167,6 +167,85 @@ piece_read(struct ifc_shaper *shaper, uint32_t segment, struct piece *out)
 	return IFC_SHAPED;
 }
 
+/* ---- segments of IFC4X1 -------------------------------------------------- */
+
+enum { CURVE_GEOMETRY = 3 };
+
+enum { START_POINT, START_DIRECTION, SEGMENT_LENGTH, FIRST_RADIUS };
+
+enum { LAST_RADIUS = 4, FIRST_CCW, LAST_CCW, TRANSITION };
+
+/* A curvature: that of the radius, or 0 where there is none. */
+static double
+curvature_of(const struct ifc_file *file, uint32_t curve, int radius, int ccw)
+{
+	double value = number(file, curve, radius);
+	struct step_value left = ifc_value(file, curve, ccw);
+
+	return value > 0 ? (step_is(&left, "T") ? 1 : -1) / value : 0;
+}
+
+/* From one curvature to another; false for a kind that is not known. */
+static bool
+transition_bend(const struct ifc_file *file, uint32_t curve, double length,
+	struct bend *out)
+{
+	struct step_value kind = ifc_value(file, curve, TRANSITION);
+	double from = curvature_of(file, curve, FIRST_RADIUS, FIRST_CCW);
+	double by = curvature_of(file, curve, LAST_RADIUS, LAST_CCW) - from;
+
+	out->terms[0] = from;
+	if (step_is(&kind, "CLOTHOIDCURVE")) {
+		out->terms[1] = by / length;
+	} else if (step_is(&kind, "BLOSSCURVE")) {
+		out->terms[2] = 3 * by / (length * length);
+		out->terms[3] = -2 * by / (length * length * length);
+	} else if (step_is(&kind, "COSINECURVE")) {
+		out->terms[0] = from + by / 2;
+		out->cosine = -by / 2;
+	} else if (step_is(&kind, "SINECURVE")) {
+		out->terms[1] = by / length;
+		out->sine = -by / (2 * PI);
+	} else {
+		return false;
+	}
+	return true;
+}
+
+static enum ifc_outcome
+piece_read_2d(struct ifc_shaper *shaper, uint32_t segment, struct piece *out)
+{
+	const struct ifc_file *file = shaper->file;
+	uint32_t curve = ifc_target(file, segment, CURVE_GEOMETRY);
+	struct step_value start =
+		ifc_value(file, ifc_target(file, curve, START_POINT), 0);
+	double at[2];
+
+	*out = (struct piece){.length = number(file, curve, SEGMENT_LENGTH)};
+	if (!(out->length > 0) || start.kind != STEP_LIST ||
+		step_numbers(&start.list, at, 2) != 2)
+		return ifc_refuse(shaper, segment, "a segment is bad");
+	out->x = at[0];
+	out->y = at[1];
+	out->direction = shaper->angle * number(file, curve, START_DIRECTION);
+	out->bend.wave = out->length;
+	switch (ifc_entity_of(file, curve)) {
+	case IFC_LINESEGMENT2D:
+		return IFC_SHAPED;
+	case IFC_CIRCULARARCSEGMENT2D:
+		out->bend.terms[0] = curvature_of(
+			file, curve, FIRST_RADIUS, FIRST_RADIUS + 1);
+		return IFC_SHAPED;
+	case IFC_TRANSITIONCURVESEGMENT2D:
+		if (transition_bend(file, curve, out->length, &out->bend))
+			return IFC_SHAPED;
+		break;
+	default:
+		break;
+	}
+	return ifc_refuse(shaper, curve, "a segment of this kind is not known");
+}
+
 /* ---- marks --------------------------------------------------------------- */
 
 /* So many steps that chords are near and no step turns far. */
@@ -211,7 +290,10 @@ ifc_piece_marks(struct ifc_shaper *shaper, uint32_t segment, double along,
 	struct ifc_alignment *out)
 {
 	struct piece piece;
-	enum ifc_outcome outcome = piece_read(shaper, segment, &piece);
+	enum ifc_outcome outcome = ifc_entity_of(shaper->file, segment) ==
+			IFC_ALIGNMENT2DHORIZONTALSEGMENT
+		? piece_read_2d(shaper, segment, &piece)
+		: piece_read(shaper, segment, &piece);
 	double x, y, origin;
 	size_t steps;
 

@@ -37,10 +37,9 @@ alignment_keep(struct ifc_shaper *shaper, uint32_t curve,
 	return outcome;
 }
 
-/* The axes of the curve at a point, moved by its offsets. */
-static enum ifc_outcome
-point_axes(struct ifc_shaper *shaper, uint32_t point,
-	struct ifc_alignment_kept *kept, struct ifc_matrix *out)
+enum ifc_outcome
+ifc_distance_axes(struct ifc_shaper *shaper, uint32_t point, uint32_t curve,
+	bool upright, struct ifc_alignment_kept *kept, struct ifc_matrix *out)
 {
 	const struct ifc_file *file = shaper->file;
 	struct step_value along = ifc_value(file, point, DISTANCE);
@@ -49,14 +48,14 @@ point_axes(struct ifc_shaper *shaper, uint32_t point,
 	struct tcs_point at;
 	double distance;
 
-	if (ifc_entity_of(file, point) != IFC_POINTBYDISTANCEEXPRESSION ||
-		!ifc_distance_read(&along, &distance))
+	if (!ifc_distance_read(&along, &distance))
 		return ifc_refuse(shaper, point, "not a place along a curve");
-	outcome = alignment_keep(
-		shaper, ifc_target(file, point, BASIS_CURVE), kept);
+	outcome = alignment_keep(shaper, curve, kept);
 	if (outcome)
 		return outcome;
 	mark = ifc_alignment_at(&kept->marks, distance);
+	if (upright)
+		mark.slope = mark.roll = 0;
 	*out = ifc_mark_axes(&mark);
 	at = ifc_transform(out,
 		(struct tcs_point){offset(file, point, LONGITUDINAL),
@@ -66,6 +65,16 @@ point_axes(struct ifc_shaper *shaper, uint32_t point,
 	out->at[7] = at.y;
 	out->at[11] = at.z;
 	return IFC_SHAPED;
+}
+
+static enum ifc_outcome
+point_axes(struct ifc_shaper *shaper, uint32_t point,
+	struct ifc_alignment_kept *kept, struct ifc_matrix *out)
+{
+	if (ifc_entity_of(shaper->file, point) != IFC_POINTBYDISTANCEEXPRESSION)
+		return ifc_refuse(shaper, point, "not a place along a curve");
+	return ifc_distance_axes(shaper, point,
+		ifc_target(shaper->file, point, BASIS_CURVE), false, kept, out);
 }
 
 /* Turn the axes to a direction z and, as near as can be, a direction x. */

@@ -15,6 +15,9 @@
 	X(POINTONCURVE, POINT, "245", "BasisCurve PointParameter") \
 	X(POINTONSURFACE, POINT, "245", \
 		"BasisSurface PointParameterU PointParameterV") \
+	X(DISTANCEEXPRESSION, GEOMETRICREPRESENTATIONITEM, "4", \
+		"DistanceAlong OffsetLateral OffsetVertical " \
+		"OffsetLongitudinal AlongHorizontal") \
 	X(POINTBYDISTANCEEXPRESSION, POINT, "5", \
 		"DistanceAlong OffsetLateral OffsetVertical " \
 		"OffsetLongitudinal BasisCurve") \
@@ -82,6 +85,28 @@
 	X(OUTERBOUNDARYCURVE, BOUNDARYCURVE, "45", "") \
 	X(GRADIENTCURVE, COMPOSITECURVE, "5", "BaseCurve EndPoint") \
 	X(SEGMENTEDREFERENCECURVE, COMPOSITECURVE, "5", "BaseCurve EndPoint") \
+	X(ALIGNMENTCURVE, BOUNDEDCURVE, "4", "Horizontal Vertical Tag") \
+	X(ALIGNMENT2DHORIZONTAL, GEOMETRICREPRESENTATIONITEM, "4", \
+		"StartDistAlong Segments") \
+	X(ALIGNMENT2DVERTICAL, GEOMETRICREPRESENTATIONITEM, "4", "Segments") \
+	X(ALIGNMENT2DSEGMENT, GEOMETRICREPRESENTATIONITEM, "4", \
+		"TangentialContinuity StartTag EndTag") \
+	X(ALIGNMENT2DHORIZONTALSEGMENT, ALIGNMENT2DSEGMENT, "4", \
+		"CurveGeometry") \
+	X(ALIGNMENT2DVERTICALSEGMENT, ALIGNMENT2DSEGMENT, "4", \
+		"StartDistAlong HorizontalLength StartHeight StartGradient") \
+	X(ALIGNMENT2DVERSEGLINE, ALIGNMENT2DVERTICALSEGMENT, "4", "") \
+	X(ALIGNMENT2DVERSEGCIRCULARARC, ALIGNMENT2DVERTICALSEGMENT, "4", \
+		"Radius IsConvex") \
+	X(ALIGNMENT2DVERSEGPARABOLICARC, ALIGNMENT2DVERTICALSEGMENT, "4", \
+		"ParabolaConstant IsConvex") \
+	X(CURVESEGMENT2D, BOUNDEDCURVE, "4", \
+		"StartPoint StartDirection SegmentLength") \
+	X(LINESEGMENT2D, CURVESEGMENT2D, "4", "") \
+	X(CIRCULARARCSEGMENT2D, CURVESEGMENT2D, "4", "Radius IsCCW") \
+	X(TRANSITIONCURVESEGMENT2D, CURVESEGMENT2D, "4", \
+		"StartRadius EndRadius IsStartRadiusCCW IsEndRadiusCCW " \
+		"TransitionCurveType") \
 	X(SEGMENT, GEOMETRICREPRESENTATIONITEM, "5", "Transition") \
 	X(COMPOSITECURVESEGMENT, SEGMENT, "245", \
 		"Transition:24 SameSense ParentCurve") \

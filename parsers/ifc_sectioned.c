@@ -4,7 +4,7 @@
 #include "ifc_profile.h"
 #include "ifc_sweep_curve.h"
 
-enum { DIRECTRIX, CROSS_SECTIONS, POSITIONS };
+enum { DIRECTRIX, CROSS_SECTIONS, POSITIONS, FIXED_AXIS_VERTICAL };
 
 enum { LOCATION = 0, DISTANCE = 0 };
 
@@ -73,21 +73,16 @@ profiles_match(struct ifc_shaper *shaper, uint32_t item, struct sections *all)
 
 /* ---- at places of their own ---------------------------------------------- */
 
-/* A place along the directrix, with how far along that is. */
+/* A place along the directrix: its axes, and how far along it is. */
 static enum ifc_outcome
-linear_add(struct ifc_shaper *shaper, uint32_t place, struct sections *out)
+axes_add(struct ifc_shaper *shaper, uint32_t place,
+	const struct step_value *along, const struct ifc_matrix *axes,
+	struct sections *out)
 {
-	const struct ifc_file *file = shaper->file;
-	struct step_value value =
-		ifc_value(file, ifc_target(file, place, LOCATION), DISTANCE);
-	struct ifc_matrix axes, *matrix;
-	enum ifc_outcome outcome =
-		ifc_linear_axes(shaper, place, &out->alignment, &axes);
+	struct ifc_matrix *matrix;
 	double distance = 0;
 
-	if (outcome)
-		return outcome;
-	if (!ifc_distance_read(&value, &distance) ||
+	if (!ifc_distance_read(along, &distance) ||
 		(out->distances.count &&
 			!(distance >
 				out->distances.at[out->distances.count - 1])))
@@ -99,19 +94,51 @@ linear_add(struct ifc_shaper *shaper, uint32_t place, struct sections *out)
 	*matrix = ifc_identity;
 	/* A section's x axis is to the left, its y axis up. */
 	for (int i = 0; i < 3; i++) {
-		matrix->at[4 * i] = axes.at[4 * i + 1];
-		matrix->at[4 * i + 1] = axes.at[4 * i + 2];
-		matrix->at[4 * i + 2] = axes.at[4 * i];
-		matrix->at[4 * i + 3] = axes.at[4 * i + 3];
+		matrix->at[4 * i] = axes->at[4 * i + 1];
+		matrix->at[4 * i + 1] = axes->at[4 * i + 2];
+		matrix->at[4 * i + 2] = axes->at[4 * i];
+		matrix->at[4 * i + 3] = axes->at[4 * i + 3];
 	}
 	return IFC_SHAPED;
 }
 
 static enum ifc_outcome
-place_add(struct ifc_shaper *shaper, uint32_t place, struct sections *out)
+linear_add(struct ifc_shaper *shaper, uint32_t place, struct sections *out)
+{
+	const struct ifc_file *file = shaper->file;
+	struct step_value along =
+		ifc_value(file, ifc_target(file, place, LOCATION), DISTANCE);
+	struct ifc_matrix axes;
+	enum ifc_outcome outcome =
+		ifc_linear_axes(shaper, place, &out->alignment, &axes);
+
+	return outcome ? outcome : axes_add(shaper, place, &along, &axes, out);
+}
+
+/* In IFC4X1 a distance is a place, and the solid says what is upright. */
+static enum ifc_outcome
+distance_add(struct ifc_shaper *shaper, uint32_t item, uint32_t place,
+	struct sections *out)
+{
+	const struct ifc_file *file = shaper->file;
+	struct step_value along = ifc_value(file, place, DISTANCE);
+	struct step_value upright = ifc_value(file, item, FIXED_AXIS_VERTICAL);
+	struct ifc_matrix axes;
+	enum ifc_outcome outcome = ifc_distance_axes(shaper, place,
+		ifc_target(file, item, DIRECTRIX), step_is(&upright, "T"),
+		&out->alignment, &axes);
+
+	return outcome ? outcome : axes_add(shaper, place, &along, &axes, out);
+}
+
+static enum ifc_outcome
+place_add(struct ifc_shaper *shaper, uint32_t item, uint32_t place,
+	struct sections *out)
 {
 	if (ifc_entity_of(shaper->file, place) == IFC_AXIS2PLACEMENTLINEAR)
 		return linear_add(shaper, place, out);
+	if (ifc_entity_of(shaper->file, place) == IFC_DISTANCEEXPRESSION)
+		return distance_add(shaper, item, place, out);
 	if (array_grow(&out->places, 1))
 		return IFC_NO_MEMORY;
 	if (!ifc_axes(shaper->file, place, out->places.at + out->places.count))
@@ -135,8 +162,8 @@ sections_read(struct ifc_shaper *shaper, uint32_t item, struct sections *out)
 			shaper, step_target(file->step, &value), out);
 	while (!outcome && places.kind == STEP_LIST &&
 		step_next(&places.list, &value) > STEP_END)
-		outcome =
-			place_add(shaper, step_target(file->step, &value), out);
+		outcome = place_add(
+			shaper, item, step_target(file->step, &value), out);
 	if (!outcome &&
 		(out->places.count != out->profiles.count ||
 			out->places.count < 2 ||

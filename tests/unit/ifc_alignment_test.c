@@ -210,6 +210,93 @@ sections_stand_on_their_curve(void)
 		SAMPLE_PI * 2 * (1 + 2 + 4), 2e-1));
 }
 
+/* The same plan as IFC4X1 tells it, with a last segment of its own. */
+#define PLAN_4X1(segment) \
+	"#20=IFCALIGNMENTCURVE(#21,$,$);" \
+	"#21=IFCALIGNMENT2DHORIZONTAL($,(#22,#23));" \
+	"#22=IFCALIGNMENT2DHORIZONTALSEGMENT(.T.,$,$,#24);" \
+	"#23=IFCALIGNMENT2DHORIZONTALSEGMENT(.T.,$,$,#25);" \
+	"#24=IFCLINESEGMENT2D(#1,0.,100.);#25=" segment ";"
+
+#define TRANSITION(kind) \
+	"IFCTRANSITIONCURVESEGMENT2D(#2,0.,100.,$,100.,.T.,.T.,." kind ".)"
+
+static void
+plans_of_4x1_are_read(void)
+{
+	static const char *const kinds[] = {
+		PLAN_4X1(TRANSITION("CLOTHOIDCURVE")),
+		PLAN_4X1(TRANSITION("BLOSSCURVE")),
+		PLAN_4X1(TRANSITION("COSINECURVE")),
+		PLAN_4X1(TRANSITION("SINECURVE"))};
+	struct ifc_mark same = mark_of("", 12, 170);
+	struct ifc_mark clothoid = mark_of(kinds[0], 20, 170);
+	struct ifc_mark right = mark_of(
+		PLAN_4X1("IFCCIRCULARARCSEGMENT2D(#2,0.,157.07963267948966,"
+			 "100.,.F.)"),
+		20, 100 + 50 * SAMPLE_PI);
+
+	CHECK(is_near(clothoid.at.x, same.at.x, 1e-9) &&
+		is_near(clothoid.at.y, same.at.y, 1e-9));
+	CHECK(is_near(right.at.x, 200, 1e-6) &&
+		is_near(right.at.y, -100, 1e-6) && is_near(right.y, -1, 1e-9));
+	/* In the mean each bends half as much as at its end. */
+	for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+		CHECK(is_near(mark_of(kinds[i], 20, 200).y, sin(0.5), 1e-9));
+	CHECK(mark_of(PLAN_4X1(TRANSITION("CUBICPARABOLA")), 20, 0).along ==
+		-1);
+}
+
+/* A rise of a tenth, then a curve of its own, on a straight plan. */
+#define RISE(curve) \
+	PLAN_4X1("IFCLINESEGMENT2D(#2,0.,100.)") \
+	"#30=IFCALIGNMENTCURVE(#21,#31,$);" \
+	"#31=IFCALIGNMENT2DVERTICAL((#32,#33));" \
+	"#32=IFCALIGNMENT2DVERSEGLINE(.T.,$,$,0.,100.,5.,0.1);" \
+	"#33=IFCALIGNMENT2DVERSEG" curve ";"
+
+static void
+rises_of_4x1_are_read(void)
+{
+	struct ifc_mark sag = mark_of(
+		RISE("PARABOLICARC(.T.,$,$,100.,100.,15.,0.1,1000.,.F.)"), 30,
+		200);
+	struct ifc_mark crest = mark_of(
+		RISE("PARABOLICARC(.T.,$,$,100.,100.,15.,0.1,1000.,.T.)"), 30,
+		200);
+	struct ifc_mark top = mark_of(
+		RISE("CIRCULARARC(.T.,$,$,100.,60.,15.,0.,100.,.T.)"), 30, 160);
+	struct ifc_mark valley = mark_of(
+		RISE("CIRCULARARC(.T.,$,$,100.,60.,15.,0.,100.,.F.)"), 30, 160);
+
+	CHECK(is_near(sag.at.z, 30, 1e-9) && is_near(sag.slope, 0.2, 1e-9));
+	CHECK(is_near(crest.at.z, 20, 1e-9) && is_near(crest.slope, 0, 1e-9));
+	CHECK(is_near(top.at.z, 15 - 20, 1e-9) &&
+		is_near(top.slope, -0.75, 1e-9));
+	CHECK(is_near(valley.at.z, 15 + 20, 1e-9));
+	CHECK(is_near(
+		mark_of(RISE("LINE(.T.,$,$,100.,9.,15.,0.)"), 30, 50).at.z, 10,
+		1e-9));
+	CHECK(mark_of(RISE("CIRCULARARC(.T.,$,$,100.,60.,15.,0.,50.,.T.)"), 30,
+		      0)
+			.along == -1);
+	CHECK(mark_of(RISE("LINE(.T.,$,$,100.,0.,15.,0.)"), 30, 0).along == -1);
+}
+
+/* Upright sections fill their area over the plan, whatever it rises by. */
+static void
+sections_of_4x1_stand_at_distances(void)
+{
+	const char *data = RISE(
+		"LINE(.T.,$,$,100.,100.,15.,0.1)") "#50=IFCRECTANGLEPROFILEDEF(.AREA.,$,$,2.,1.);"
+						   "#51=IFCDISTANCEEXPRESSION(10.,3.,-1.,$,.T.);"
+						   "#52=IFCDISTANCEEXPRESSION(60.,3.,-1.,$,.T.);"
+						   "#100=IFCSECTIONEDSOLIDHORIZONTAL(#30,(#50,#50),(#51,#52),"
+						   ".T.);";
+
+	CHECK(is_near(volume_of(data), 2 * 50, 1e-9));
+}
+
 static void
 what_leads_nowhere_is_refused(void)
 {
@@ -248,6 +335,9 @@ static const struct check_test tests[] = {
 	CHECK_TEST(offsets_go_evenly_from_one_to_the_next),
 	CHECK_TEST(places_lie_beside_their_curve),
 	CHECK_TEST(sections_stand_on_their_curve),
+	CHECK_TEST(plans_of_4x1_are_read),
+	CHECK_TEST(rises_of_4x1_are_read),
+	CHECK_TEST(sections_of_4x1_stand_at_distances),
 	CHECK_TEST(what_leads_nowhere_is_refused),
 	{0},
 };
