@@ -207,7 +207,7 @@ cases-accept: all $(generators)
 	@BUILD='$(abspath $(build))' tests/run-cases.sh --accept $(CASES)
 
 bench: all $(benches) $(generators) $(node_modules) \
-	$(if $(filter lod simplify,$(BENCH)),bench-peers)
+	$(if $(filter lod simplify visibility,$(BENCH)),bench-peers)
 	@BUILD='$(abspath $(build))' tests/bench/run.sh $(BENCH)
 
 bench-peers:
