@@ -327,6 +327,16 @@ planar_lay(struct planar *polygon, const struct tcs_point *vertices,
 }
 
 void
+planar_trim(struct planar *polygon)
+{
+	array_trim(&polygon->points);
+	array_trim(&polygon->next);
+	array_trim(&polygon->previous);
+	array_trim(&polygon->kept);
+	array_trim(&polygon->firsts);
+}
+
+void
 planar_release(struct planar *polygon)
 {
 	array_release(&polygon->points);

@@ -141,6 +141,8 @@ enum tcs_status planar_tangle(const struct planar *polygon, uint64_t most_pairs,
 	uint64_t most_crossings, bool *tangled,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* Give back what a large polygon took; the plane stays. */
+void planar_trim(struct planar *polygon);
 void planar_release(struct planar *polygon);
 
 #endif

@@ -333,6 +333,7 @@ sweep_begin(struct sweep *sweep, const struct planar *polygon,
 		sweep->events.at[i] = (struct sweep_event){at.x, at.y, vertex};
 	}
 	sweep_sort(sweep->events.at, count, sweep->sorted.at);
+	array_trim(&sweep->sorted);
 	sweep->links.count = 1;
 	return status_begin(&sweep->status, count, fault);
 }
@@ -353,6 +354,15 @@ sweep_run(struct sweep *sweep, const struct planar *polygon,
 	if (!*simple)
 		out->count = before;
 	return TCS_OK;
+}
+
+void
+sweep_trim(struct sweep *sweep)
+{
+	array_trim(&sweep->status.intervals);
+	array_trim(&sweep->events);
+	array_trim(&sweep->edge_interval);
+	array_trim(&sweep->links);
 }
 
 void

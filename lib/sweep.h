@@ -43,6 +43,8 @@ enum tcs_status sweep_run(struct sweep *sweep, const struct planar *polygon,
 	struct triangle_list *out, bool *simple,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* Give back what a large polygon took; `out` is the caller's. */
+void sweep_trim(struct sweep *sweep);
 void sweep_release(struct sweep *sweep);
 
 /* Sort by x, then y, then vertex. `room` is as long as `events`. */

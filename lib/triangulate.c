@@ -277,6 +277,9 @@ mend(struct triangulator *t, const struct tcs_point *vertices, double flatness,
 
 /* ---- the ordinary polygon -------------------------------------------------------- */
 
+/* From here on scratch memory is worth giving back. */
+enum { MANY_VERTICES = 10000 };
+
 static size_t
 vertices_count(const uint32_t *rings, size_t ring_count)
 {
@@ -346,13 +349,12 @@ triangle_take(
 	return *area > 0;
 }
 
-enum tcs_status
-triangulate(struct triangulator *t, const struct tcs_point *vertices,
-	const uint32_t *rings, size_t ring_count, struct triangulation *out,
-	struct tcs_fault *fault)
+static enum tcs_status
+triangulate_all(struct triangulator *t, const struct tcs_point *vertices,
+	const uint32_t *rings, size_t ring_count, size_t count,
+	struct triangulation *out, struct tcs_fault *fault)
 {
 	size_t outer = ring_count ? rings[0] : 0;
-	size_t count = vertices_count(rings, ring_count);
 	double flatness, area;
 	enum tcs_status status;
 	const char *reason;
@@ -384,4 +386,22 @@ triangulate(struct triangulator *t, const struct tcs_point *vertices,
 	if (simple && same_area(t, t->sweep.area / 2, t->polygon.area))
 		return end_full(t, t->sweep.area / 2, flatness, out);
 	return mend(t, vertices, flatness, out, fault);
+}
+
+/* What a large polygon took is not kept while its triangles are used. */
+enum tcs_status
+triangulate(struct triangulator *t, const struct tcs_point *vertices,
+	const uint32_t *rings, size_t ring_count, struct triangulation *out,
+	struct tcs_fault *fault)
+{
+	size_t count = vertices_count(rings, ring_count);
+	enum tcs_status status = triangulate_all(
+		t, vertices, rings, ring_count, count, out, fault);
+
+	if (count > MANY_VERTICES) {
+		planar_trim(&t->polygon);
+		array_trim(&t->nudged);
+		sweep_trim(&t->sweep);
+	}
+	return status;
 }
