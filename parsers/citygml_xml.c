@@ -39,8 +39,14 @@ static enum tcs_status
 xml_declare(struct xml_parser *parser, const struct spelling *spelling,
 	const char *value)
 {
-	return namespace_declare(&parser->namespaces, spelling, value,
-		parser->depth, &parser->fault);
+	enum tcs_status status = namespace_declare(&parser->namespaces,
+		spelling, value, parser->depth, &parser->fault);
+
+	if (status != TCS_LIMIT)
+		return status;
+	return fault_set(&parser->fault, TCS_LIMIT, TCS_NOWHERE,
+		"line %u: more than %d namespaces are in force",
+		xml_line(parser), MAX_BINDINGS);
 }
 
 /* Names and values by turns, and NULL in the end. */

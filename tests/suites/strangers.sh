@@ -234,6 +234,12 @@ attributes_and_names_are_bounded() {
 	numbered 1000000 ' xmlns:a%d="b%d"' | around '<cityObjectMember' '/>' \
 		>in.gml
 	refused 64 'an element has more than 2000 attributes'
+	{
+		numbered 3000 '<a xmlns:a%d="b%d">'
+		numbered 3000 '</a>'
+	} | around '<cityObjectMember><bldg:Building>' \
+		'</bldg:Building></cityObjectMember>' >in.gml
+	refused 64 'more than 2000 namespaces are in force' --max-depth 4000
 	numbered 1000000 '<a%d b%d=""/>' | around '' '' >in.gml
 	refused 64 'there are more than 50000 different names'
 	# Commented out, they are none.
