@@ -148,8 +148,8 @@ struct gml_palette {
 	pthread_rwlock_t lock;
 };
 
-/* Append entries that stand before the object of this number. Takes the lock.
- * Fails with TCS_NO_MEMORY. */
+/* Append entries that stand before the object of this number, without the
+ * bytes of images. Takes the lock. Fails with TCS_NO_MEMORY. */
 enum tcs_status gml_palette_add(struct gml_palette *palette,
 	const struct tcs_palette *more, uint64_t object,
 	struct tcs_fault *fault) TCS_CHECKED;

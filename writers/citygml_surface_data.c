@@ -8,10 +8,13 @@ gml_palette_add(struct gml_palette *palette, const struct tcs_palette *more,
 	uint64_t object, struct tcs_fault *fault)
 {
 	size_t materials = more->materials.count, images = more->images.count;
+	struct tcs_palette named = *more;
 	enum tcs_status status;
 
+	named.bytes.at = NULL;
+	named.bytes.count = 0;
 	pthread_rwlock_wrlock(&palette->lock);
-	status = palette_append(&palette->all, more, fault);
+	status = palette_append(&palette->all, &named, fault);
 	if (!status &&
 		(array_grow(&palette->material_objects, materials) ||
 			array_grow(&palette->image_objects, images)))
