@@ -32,6 +32,7 @@ copy_features(struct collapses *work, struct tcs_fault *fault)
 {
 	const struct sheets *sheets = work->sheets;
 
+	array_clear(&work->sources);
 	array_clear(&work->features);
 	if (array_grow(&work->features, work->face_count))
 		return fault_memory(fault);
@@ -139,8 +140,8 @@ aim(struct collapses *work, uint32_t node, struct queue_entry at)
 }
 
 /* Aim at the cheapest neighbour, fine or not. */
-static enum tcs_status
-judge_node(struct collapses *work, uint32_t node, struct tcs_fault *fault)
+enum tcs_status
+collapses_judge(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 {
 	uint32_t vertex = work->sheets->nodes.at[node].first_vertex;
 	struct queue_entry best = {INFINITY, TCS_NONE};
@@ -205,7 +206,7 @@ update(struct collapses *work, uint32_t node, uint32_t gone, uint32_t target,
 	struct queue_entry there, now;
 
 	if (aimed == TCS_NONE || aimed == gone)
-		return judge_node(work, node, fault);
+		return collapses_judge(work, node, fault);
 	now = work->queue.heap.at[work->queue.places.at[node]];
 	now.node = aimed;
 	there = (struct queue_entry){
@@ -230,7 +231,7 @@ judge_around(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 		work->touched.at[work->touched.count++] =
 			node_of(work, work->spokes.at[i].to);
 	for (size_t i = 0; !status && i < work->touched.count; i++)
-		status = judge_node(work, work->touched.at[i], fault);
+		status = collapses_judge(work, work->touched.at[i], fault);
 	return status;
 }
 
@@ -245,7 +246,7 @@ collapse(struct collapses *work, uint32_t node, uint32_t target,
 		uint32_t other = work->touched.at[i];
 
 		if (other == target)
-			status = judge_node(work, other, fault);
+			status = collapses_judge(work, other, fault);
 		else if (other != node)
 			status = update(work, other, node, target, fault);
 	}
@@ -302,7 +303,7 @@ collapses_resume(struct collapses *work,
 
 	work->settings = *settings;
 	for (uint32_t i = 0; !status && i < work->sheets->node_count; i++)
-		status = judge_node(work, i, fault);
+		status = collapses_judge(work, i, fault);
 	return status;
 }
 
@@ -320,7 +321,7 @@ collapses_dissolve(
 
 enum tcs_status
 collapses_begin(struct collapses *work, const struct component_set *set,
-	const struct sheets *sheets, struct seams *seams,
+	struct sheets *sheets, struct seams *seams,
 	const struct collapse_regions *regions,
 	const struct collapse_settings *settings, struct tcs_fault *fault)
 {
@@ -390,7 +391,7 @@ collapses_take_away(struct collapses *work, const uint32_t *faces, size_t count,
 		half_edges_take_away(work->mesh, faces[i]);
 	/* Twins of other sheets are free now; the rest finds nothing. */
 	for (size_t i = 0; !status && i < work->touched.count; i++)
-		status = judge_node(work, work->touched.at[i], fault);
+		status = collapses_judge(work, work->touched.at[i], fault);
 	return status;
 }
 
@@ -439,6 +440,7 @@ collapses_release(struct collapses *work)
 	array_release(&work->positions);
 	array_release(&work->fixed);
 	array_release(&work->features);
+	array_release(&work->sources);
 	array_release(&work->surfaces);
 	array_release(&work->worths);
 	array_release(&work->spokes);

@@ -55,7 +55,7 @@ struct seam_move {
 /* All zero is empty; reused from object to object. */
 struct collapses {
 	const struct component_set *set; /* borrowed */
-	const struct sheets *sheets; /* borrowed */
+	struct sheets *sheets; /* borrowed; normals of refilled faces change */
 	struct seams *seams; /* borrowed */
 	struct collapse_regions regions;
 	struct half_edges *mesh;
@@ -68,6 +68,9 @@ struct collapses {
 	TCS_ARRAY(bool) fixed; /* per node, see placement.h */
 	TCS_ARRAY(uint32_t) targets; /* per node: the best; TCS_NONE */
 	TCS_ARRAY(uint32_t) features; /* per face: its surface */
+	/* Per face: the triangle of the set that it continues; empty while that
+	   is its own. */
+	TCS_ARRAY(uint32_t) sources;
 	TCS_ARRAY(uint32_t) surfaces; /* per feature: its faces left */
 	size_t face_count; /* left */
 	/* Per contact: for how many it counts; empty until it matters. */
@@ -97,7 +100,7 @@ struct collapses {
  * TCS_LIMIT.
  */
 enum tcs_status collapses_begin(struct collapses *work,
-	const struct component_set *set, const struct sheets *sheets,
+	const struct component_set *set, struct sheets *sheets,
 	struct seams *seams, const struct collapse_regions *regions,
 	const struct collapse_settings *settings,
 	struct tcs_fault *fault) TCS_CHECKED;
@@ -132,6 +135,31 @@ enum tcs_status collapses_dissolve(struct collapses *work,
 enum tcs_status collapses_take_away(struct collapses *work,
 	const uint32_t *faces, size_t count,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Triangles that take the place of faces, see half_edges_refill. */
+struct refill {
+	const uint32_t *faces;
+	size_t face_count;
+	const uint32_t *corners; /* three vertices per triangle */
+	const uint32_t *models; /* per triangle: a face that it continues, as
+	                           regards surface and texture */
+	size_t count;
+	bool adds; /* what stood at the faces stands in what is added now; else
+	              it is off unless a triangle is there */
+};
+
+/* Put them there. Nothing may be watched (error_watch.h). Fails with
+   TCS_NO_MEMORY. */
+enum tcs_status collapses_refill(struct collapses *work,
+	const struct refill *refill, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The triangle of the set that a face that is left continues. */
+static inline uint32_t
+collapses_source(const struct collapses *work, uint32_t face)
+{
+	return work->sources.count > 0 ? work->sources.at[face]
+				       : work->sheets->face_triangles.at[face];
+}
 
 /* The nodes of a face that is left; false when it is gone. */
 bool collapses_face(
@@ -193,8 +221,17 @@ enum tcs_status collapse_check(struct collapses *work, uint32_t node,
 enum tcs_status collapse_do(struct collapses *work, uint32_t node,
 	uint32_t target, struct tcs_fault *fault) TCS_CHECKED;
 
+/* Aim a node at the cheapest of its neighbours. Fails with TCS_NO_MEMORY. */
+enum tcs_status collapses_judge(struct collapses *work, uint32_t node,
+	struct tcs_fault *fault) TCS_CHECKED;
+
 /* Fill positions, quadrics and areas. */
 void collapses_weigh(struct collapses *work);
+
+/* The same and the borders of one node, from the faces that it has now. Fails
+   with TCS_NO_MEMORY. */
+enum tcs_status collapses_weigh_node(struct collapses *work, uint32_t node,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /* Fill the quadrics of the borders between surfaces. Fails with
    TCS_NO_MEMORY. */

@@ -1,5 +1,7 @@
 #include "crossing_watch.h"
 
+#include <stdlib.h>
+
 #include "collapses.h"
 #include "crossing.h"
 
@@ -293,6 +295,99 @@ crossing_watch_allows(struct collapses *work, uint32_t node, uint32_t target,
 		/* The ring may have moved in memory. */
 		ring.faces = work->ring.at;
 		*fine = before;
+	}
+	return status;
+}
+
+/* ---- triangles instead of faces ------------------------------------------ */
+
+static int
+by_number(const void *left, const void *right)
+{
+	const uint32_t *a = left, *b = right;
+
+	return (*a > *b) - (*a < *b);
+}
+
+/* Put the triangles, and then the faces that go, into work->ring. */
+static enum tcs_status
+list_refill(struct collapses *work, const struct refill *refill,
+	struct tcs_fault *fault)
+{
+	const struct stand nowhere = {TCS_NONE, TCS_NONE};
+
+	work->ring.count = 0;
+	if (array_grow(&work->ring, refill->count + refill->face_count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < refill->count; i++) {
+		struct ring_face *face = &work->ring.at[work->ring.count++];
+
+		face->face = TCS_NONE;
+		for (int k = 0; k < 3; k++) {
+			face->nodes[k] = node_of(
+				work, refill->corners[3 * i + (size_t)k]);
+			face->shape.corner[k] =
+				work->positions.at[face->nodes[k]];
+		}
+	}
+	for (size_t i = 0; i < refill->face_count; i++)
+		if (face_with(work, refill->faces[i], nowhere,
+			    &work->ring.at[work->ring.count]))
+			work->ring.count++;
+	return TCS_OK;
+}
+
+/* Whether a bundle crosses a component, beside the faces that go. */
+static enum tcs_status
+refill_crosses(struct collapses *work, const struct refill *refill,
+	const struct bundle *bundle, uint32_t component, bool *crosses,
+	struct tcs_fault *fault)
+{
+	const struct stand nowhere = {TCS_NONE, TCS_NONE};
+	struct crossing_watch *watch = &work->crossings;
+	struct float_box box = inner_box(bundle);
+	enum tcs_status status = face_boxes_near(
+		&work->seams->boxes, component, &box, &watch->near, fault);
+
+	*crosses = false;
+	for (size_t i = 0; !status && !*crosses && i < watch->near.count; i++) {
+		uint32_t face = watch->near.at[i];
+		struct ring_face other;
+
+		if (!bsearch(&face, refill->faces, refill->face_count,
+			    sizeof face, by_number))
+			*crosses = face_with(work, face, nowhere, &other) &&
+				crosses_any(bundle, &other);
+	}
+	return status;
+}
+
+enum tcs_status
+crossing_watch_admits(struct collapses *work, const struct refill *refill,
+	bool *fine, struct tcs_fault *fault)
+{
+	const struct crossing_watch *watch = &work->crossings;
+	struct bundle after, before;
+	enum tcs_status status = list_refill(work, refill, fault);
+
+	*fine = true;
+	if (status)
+		return status;
+	after = bundle_of(work->ring.at, refill->count);
+	before = bundle_of(work->ring.at + refill->count,
+		work->ring.count - refill->count);
+	status = find_components(work, &after.box, fault);
+	for (size_t i = 0; !status && *fine && i < watch->components.count;
+		i++) {
+		uint32_t component = watch->components.at[i];
+		bool crosses, crossed = false;
+
+		status = refill_crosses(
+			work, refill, &after, component, &crosses, fault);
+		if (!status && crosses)
+			status = refill_crosses(work, refill, &before,
+				component, &crossed, fault);
+		*fine = !crosses || crossed;
 	}
 	return status;
 }

@@ -18,6 +18,7 @@
 #include "face_boxes.h"
 
 struct collapses;
+struct refill;
 
 /* All zero is empty; reused from object to object. */
 struct crossing_watch {
@@ -35,6 +36,13 @@ enum tcs_status crossing_watch_begin(struct crossing_watch *watch,
    stay. Fails with TCS_NO_MEMORY. */
 enum tcs_status crossing_watch_allows(struct collapses *work, uint32_t node,
 	uint32_t target, bool *fine, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Whether triangles may take the place of faces, which are in ascending order:
+   what those did not cross they must not cross either. Fails with
+   TCS_NO_MEMORY. */
+enum tcs_status crossing_watch_admits(struct collapses *work,
+	const struct refill *refill, bool *fine,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /* A face gets a corner there. */
 void crossing_watch_follow(

@@ -103,8 +103,8 @@ static bool
 have_a_border(const struct collapses *work, uint32_t a, uint32_t b)
 {
 	const uint32_t *charts = work->regions.charts;
-	uint32_t s = work->sheets->face_triangles.at[a];
-	uint32_t t = work->sheets->face_triangles.at[b];
+	uint32_t s = collapses_source(work, a);
+	uint32_t t = collapses_source(work, b);
 
 	if (work->features.at[a] != work->features.at[b])
 		return true;
@@ -158,6 +158,83 @@ add_border(struct collapses *work, uint32_t node, const struct spoke *spoke,
 			LINE_PENALTY * vector_dot(along, along));
 	}
 	return TCS_OK;
+}
+
+/* Of a face as it is now. */
+static struct tcs_point
+now_normal(const struct collapses *work, uint32_t face)
+{
+	const struct tcs_point *positions = work->positions.at;
+	uint32_t nodes[3];
+
+	if (!collapses_face(work, face, nodes))
+		return (struct tcs_point){0};
+	return unit(vector_cross(
+		vector_difference(positions[nodes[1]], positions[nodes[0]]),
+		vector_difference(positions[nodes[2]], positions[nodes[0]])));
+}
+
+/* The face of a spoke and the line along it, as they are now. */
+static void
+add_spoke(struct collapses *work, uint32_t node, const struct spoke *spoke,
+	const struct spoke *next, uint32_t other)
+{
+	const struct tcs_point *positions = work->positions.at;
+	struct tcs_point from = positions[node], normal, across;
+	struct tcs_point along =
+		vector_difference(positions[node_of(work, spoke->to)], from);
+	bool open = spoke->face == HALF_EDGE_NONE || other == HALF_EDGE_NONE;
+
+	for (int side = 0; side < 2; side++) {
+		uint32_t face = side ? other : spoke->face;
+
+		if (face == HALF_EDGE_NONE ||
+			(!open &&
+				vector_dot(now_normal(work, spoke->face),
+					now_normal(work, other)) >=
+					SHARP_COSINE))
+			continue;
+		across = unit(vector_cross(along, now_normal(work, face)));
+		quadric_add_plane(&work->quadrics.at[node], across,
+			-vector_dot(across, from),
+			(open ? OPEN_PENALTY : LINE_PENALTY) *
+				vector_dot(along, along));
+	}
+	if (spoke->face == HALF_EDGE_NONE)
+		return;
+	normal = vector_cross(along,
+		vector_difference(positions[node_of(work, next->to)], from));
+	work->areas.at[node] += vector_length(normal) / 2;
+	quadric_add_plane(&work->quadrics.at[node], unit(normal),
+		-vector_dot(unit(normal), from), vector_length(normal) / 2);
+}
+
+enum tcs_status
+collapses_weigh_node(
+	struct collapses *work, uint32_t node, struct tcs_fault *fault)
+{
+	const struct sheet_node *fans = &work->sheets->nodes.at[node];
+	enum tcs_status status = TCS_OK;
+	size_t count;
+
+	work->quadrics.at[node] = (struct quadric){0};
+	work->areas.at[node] = 0;
+	if (work->border_places.at[node] != TCS_NONE)
+		*borders_of(work, node) = (struct quadric){0};
+	for (uint32_t v = fans[0].first_vertex;
+		!status && v < fans[1].first_vertex; v++) {
+		status = spokes_of(work, v, &count, fault);
+		for (size_t i = 0; !status && i < count; i++) {
+			const struct spoke *spokes = work->spokes.at;
+			uint32_t other = spokes[i ? i - 1 : count - 1].face;
+
+			add_spoke(work, node, &spokes[i],
+				&spokes[(i + 1) % count], other);
+			status = add_border(
+				work, node, &spokes[i], other, fault);
+		}
+	}
+	return status;
 }
 
 enum tcs_status

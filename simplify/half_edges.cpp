@@ -1,7 +1,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <map>
 #include <new>
+#include <utility>
 #include <vector>
 
 /* The kernel's accessors assert; here they are inlined without. */
@@ -35,6 +37,16 @@ number(Handle of)
 	return of.is_valid() ? static_cast<std::uint32_t>(of.idx())
 			     : HALF_EDGE_NONE;
 }
+
+using Ends = std::pair<std::uint32_t, std::uint32_t>; /* from, to */
+
+/* Half-edges by their ends, and pairs of them that are free. */
+struct refilling {
+	std::map<Ends, Half> halves;
+	std::vector<Half> free;
+	std::vector<Half> rim;
+	std::vector<Vertex> inner;
+};
 
 } // namespace
 
@@ -106,6 +118,10 @@ struct half_edges {
 	half_edges(const std::uint32_t *corners, const std::uint32_t *opposites,
 		std::size_t face_count, std::size_t vertex_count);
 	void settle(Vertex vertex, Half outgoing);
+	void list_refilling(refilling &fill, const std::uint32_t *faces,
+		std::size_t face_count) const;
+	void link_refilling(const refilling &fill, const std::uint32_t *faces,
+		const std::uint32_t *corners, std::size_t count);
 	bool drops_cleanly(Half half) const;
 	std::uint32_t drop(Half half);
 };
@@ -229,6 +245,16 @@ half_edges_corners(const struct half_edges *mesh, uint32_t face,
 	return true;
 }
 
+void
+half_edges_across(const struct half_edges *mesh, uint32_t face,
+	uint32_t faces[3]) noexcept
+{
+	Half half = mesh->kernel.halfedge_handle(handle<Face>(face));
+
+	for (int k = 0; k < 3; k++, half = mesh->next(half))
+		faces[k] = number(mesh->face(mesh->opposite(half)));
+}
+
 /* The face left of the half-edge may go: one of its other edges has a face
    behind it, and there is something left to hang on to. */
 bool
@@ -346,4 +372,103 @@ half_edges_take_away(struct half_edges *mesh, uint32_t face) noexcept
 	for (int k = 0; k < 3; k++, half = mesh->next(half))
 		mesh->kernel.set_halfedge_handle(mesh->head(half), Half());
 	mesh->kernel.set_halfedge_handle(gone, Half());
+}
+
+/* ---- refilling ----------------------------------------------------------- */
+
+/* What the faces leave: the half-edges of their rim, and those between them. */
+void
+half_edges::list_refilling(refilling &fill, const std::uint32_t *faces,
+	std::size_t face_count) const
+{
+	std::map<std::uint32_t, bool> own, on_rim;
+
+	for (std::size_t i = 0; i < face_count; i++)
+		own[faces[i]] = true;
+	for (std::size_t i = 0; i < face_count; i++) {
+		Half half = kernel.halfedge_handle(handle<Face>(faces[i]));
+
+		for (int k = 0; k < 3; k++, half = next(half)) {
+			Half back = opposite(half);
+			std::uint32_t tail = number(head(back));
+
+			if (!own.count(number(face(back)))) {
+				fill.halves[{tail, number(head(half))}] = half;
+				fill.rim.push_back(half);
+				on_rim[tail] = true;
+				continue;
+			}
+			on_rim.insert({tail, false});
+			if (half.idx() < back.idx())
+				fill.free.push_back(half);
+		}
+	}
+	for (const auto &vertex : on_rim)
+		if (!vertex.second)
+			fill.inner.push_back(handle<Vertex>(vertex.first));
+}
+
+/* Give every edge of the triangles that is not on the rim a free pair. */
+static void
+give_halves(refilling &fill, const std::uint32_t *corners, std::size_t count)
+{
+	std::size_t used = 0;
+
+	for (std::size_t c = 0; c < 3 * count; c++) {
+		Ends ends = {corners[c], corners[c % 3 == 2 ? c - 2 : c + 1]};
+
+		if (fill.halves.count(ends))
+			continue;
+		Half half = fill.free[used++];
+
+		fill.halves[ends] = half;
+		fill.halves[{ends.second, ends.first}] =
+			handle<Half>(static_cast<std::size_t>(half.idx()) ^ 1);
+	}
+}
+
+void
+half_edges::link_refilling(const refilling &fill, const std::uint32_t *faces,
+	const std::uint32_t *corners, std::size_t count)
+{
+	for (std::size_t i = 0; i < count; i++) {
+		const std::uint32_t *own = corners + 3 * i;
+		Half halves[3];
+
+		for (std::size_t k = 0; k < 3; k++)
+			halves[k] = fill.halves.at({own[k], own[(k + 1) % 3]});
+		for (std::size_t k = 0; k < 3; k++) {
+			kernel.set_vertex_handle(
+				halves[k], handle<Vertex>(own[(k + 1) % 3]));
+			kernel.set_next_halfedge_handle(
+				halves[k], halves[(k + 1) % 3]);
+			kernel.set_face_handle(
+				halves[k], handle<Face>(faces[i]));
+		}
+		kernel.set_halfedge_handle(handle<Face>(faces[i]), halves[0]);
+	}
+	for (Half half : fill.rim)
+		settle(head(opposite(half)), half);
+}
+
+enum tcs_status
+half_edges_refill(struct half_edges *mesh, const uint32_t *faces,
+	size_t face_count, const uint32_t *corners, size_t triangle_count,
+	struct tcs_fault *fault) noexcept
+{
+	refilling fill;
+
+	try {
+		mesh->list_refilling(fill, faces, face_count);
+		give_halves(fill, corners, triangle_count);
+	} catch (const std::exception &) {
+		return fault_memory(fault);
+	}
+	for (std::size_t i = triangle_count; i < face_count; i++)
+		mesh->kernel.set_halfedge_handle(
+			handle<Face>(faces[i]), Half());
+	for (Vertex vertex : fill.inner)
+		mesh->kernel.set_halfedge_handle(vertex, Half());
+	mesh->link_refilling(fill, faces, corners, triangle_count);
+	return TCS_OK;
 }

@@ -4,7 +4,7 @@
  *
  * Vertices and faces keep their numbers for life; a collapse removes one
  * vertex and the faces at its edge. Half-edges are numbers, too, valid until
- * the next collapse.
+ * the next change.
  *
  * This is the border to C++: no exception passes it, and running out of memory
  * is TCS_NO_MEMORY. One thread at a time.
@@ -83,6 +83,25 @@ void half_edges_take_away(
 /* The three vertices of a face; false when it is gone. */
 bool half_edges_corners(const struct half_edges *mesh, uint32_t face,
 	uint32_t corners[3]) HALF_EDGES_NOEXCEPT;
+
+/* The faces beyond the edges of one that is there, edge k from its corner k to
+   the next; HALF_EDGE_NONE: open. */
+void half_edges_across(const struct half_edges *mesh, uint32_t face,
+	uint32_t faces[3]) HALF_EDGES_NOEXCEPT;
+
+/*
+ * Put other triangles in the place of some faces. The edges at which the faces
+ * meet others, their rim, form loops that pass no vertex twice, and nothing is
+ * open there. The triangles, three vertices of the rim each, have every edge of
+ * it once, the same way round, and every other of their edges twice, once each
+ * way; no such edge is in the mesh beside the faces. They take the numbers of
+ * the first faces; the other faces, and vertices that are not on the rim, are
+ * gone. Fails with TCS_NO_MEMORY; the mesh is then as it was.
+ */
+enum tcs_status half_edges_refill(struct half_edges *mesh,
+	const uint32_t *faces, size_t face_count, const uint32_t *corners,
+	size_t triangle_count,
+	struct tcs_fault *fault) HALF_EDGES_NOEXCEPT TCS_CHECKED;
 
 #ifdef __cplusplus
 }

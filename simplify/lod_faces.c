@@ -50,7 +50,9 @@ by_polygon(const void *left, const void *right)
 
 	if (a->polygon != b->polygon)
 		return a->polygon < b->polygon ? -1 : 1;
-	return (a->triangle > b->triangle) - (a->triangle < b->triangle);
+	if (a->triangle != b->triangle)
+		return a->triangle < b->triangle ? -1 : 1;
+	return (a->face > b->face) - (a->face < b->face);
 }
 
 static enum tcs_status
@@ -87,11 +89,12 @@ list_faces(struct lod_faces *faces, const struct lod_source *source,
 
 		if (own == TCS_NONE || !collapses_face(work, own, nodes))
 			continue;
-		sorted &= polygons[i] >= last;
-		last = polygons[i];
-		face->triangle = i;
-		face->polygon = polygons[i];
+		face->triangle = collapses_source(work, own);
+		face->polygon = polygons[face->triangle];
+		face->face = own;
 		face->surface = work->features.at[own];
+		sorted &= face->polygon >= last;
+		last = face->polygon;
 		for (int k = 0; k < 3; k++) {
 			face->corners[k] = faces->places.at[nodes[k]];
 			face->nodes[k] = collapses_is_moved(work, nodes[k])

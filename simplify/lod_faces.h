@@ -12,6 +12,7 @@
 struct lod_face {
 	uint32_t polygon; /* of the object; that of the old triangle */
 	uint32_t triangle; /* of the source: the old one */
+	uint32_t face; /* of the mesh */
 	uint32_t surface; /* feature */
 	uint32_t nodes[3]; /* at the corners; TCS_NONE where one has moved */
 	struct tcs_point corners[3]; /* in stream coordinates */

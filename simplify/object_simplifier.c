@@ -59,6 +59,9 @@ prepare(struct object_simplifier *simplifier,
 		status = removals_begin(&simplifier->removals,
 			&simplifier->collapses, &simplifier->contacts, reach,
 			settings->keep_interior, fault);
+	if (!status)
+		status = handles_find(&simplifier->handles,
+			&simplifier->collapses, &simplifier->removals, fault);
 	return status;
 }
 
@@ -90,8 +93,8 @@ most_cost(const struct object_simplifier *simplifier)
 	return fmax(side * side * off * off, DBL_MIN);
 }
 
-/* Collapse; dissolve openings and take parts away as soon as that is
-   cheaper. */
+/* Collapse; dissolve openings, close handles and take parts away as soon as
+   that is cheaper. */
 static enum tcs_status
 reach_target(struct object_simplifier *simplifier, size_t target,
 	struct tcs_fault *fault)
@@ -99,6 +102,7 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 	struct collapses *work = &simplifier->collapses;
 	struct openings *openings = &simplifier->openings;
 	struct removals *removals = &simplifier->removals;
+	struct handles *handles = &simplifier->handles;
 	size_t batch = openings->by_area.count / OPENING_BATCHES + 1;
 	enum tcs_status status = TCS_OK;
 	double most = most_cost(simplifier);
@@ -107,7 +111,8 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 	while (!status && work->face_count > target) {
 		double opening = openings_next_cost(openings);
 		double removal = removals_next_cost(removals);
-		double other = fmin(opening, removal);
+		double handle = handles_next_cost(handles);
+		double other = fmin(fmin(opening, removal), handle);
 
 		status = collapses_run(work, target, fmin(other, most), fault);
 		if (!status && work->wants_worths) {
@@ -116,7 +121,9 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 		}
 		if (status || work->face_count <= target || other >= most)
 			break;
-		if (removal < opening)
+		if (handle <= other)
+			status = handles_try(handles, fault);
+		else if (removal < opening)
 			status = removals_try(removals, fault);
 		else
 			status = dissolve_openings(
@@ -290,6 +297,10 @@ make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	if (!status)
 		status = report_add(report, "overlaps parted",
 			simplifier->overlaps.parted, fault);
+	if (!status)
+		status = report_add(report, "holes closed",
+			simplifier->handles.closed, fault);
+	simplifier->handles.closed = 0;
 	if (last && simplifier->source.set.triangles.count > LARGE) {
 		seams_release(&simplifier->seams);
 		collapses_end(work);
@@ -314,6 +325,7 @@ release_all_but_writer(struct object_simplifier *simplifier)
 	openings_release(&simplifier->openings);
 	overlaps_release(&simplifier->overlaps);
 	removals_release(&simplifier->removals);
+	handles_release(&simplifier->handles);
 	array_release(&simplifier->homes);
 	array_release(&simplifier->hosts);
 }

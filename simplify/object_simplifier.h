@@ -8,12 +8,12 @@
 
 #include "collapses.h"
 #include "face_budget.h"
+#include "handles.h"
 #include "lod_source.h"
 #include "lod_write.h"
 #include "openings.h"
 #include "overlaps.h"
 #include "paint_charts.h"
-#include "removals.h"
 #include "report.h"
 
 enum { SIMPLIFY_LEVELS = 8 };
@@ -50,6 +50,7 @@ struct object_simplifier {
 	struct openings openings;
 	struct overlaps overlaps;
 	struct removals removals;
+	struct handles handles;
 	TCS_ARRAY(uint32_t) homes; /* see lod_home.h */
 	TCS_ARRAY(bool) hosts; /* per feature: see selection */
 };

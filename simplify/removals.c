@@ -178,9 +178,10 @@ count_vanishing(const struct removals *removals, const struct part *part)
 
 /* ---- the price ----------------------------------------------------------- */
 
-static uint32_t
-count_faces(const struct removals *removals, const struct part *part)
+uint32_t
+removals_faces(const struct removals *removals, uint32_t number)
 {
+	const struct part *part = &removals->parts.at.at[number];
 	uint32_t count = 0, corners[3];
 
 	for (uint32_t i = 0; i < part->count; i++)
@@ -200,7 +201,7 @@ price_of(struct removals *removals, uint32_t number, double *price,
 		removals->visible.count ? removals->visible.at[number] : 0;
 	double far = distance / removals->far;
 	double allowed = removals->work->settings.max_error;
-	uint32_t faces = count_faces(removals, part);
+	uint32_t faces = removals_faces(removals, number);
 	enum tcs_status status;
 	double broken;
 
@@ -414,8 +415,9 @@ judge_linked(struct removals *removals, uint32_t gone, struct tcs_fault *fault)
 	return status;
 }
 
-static enum tcs_status
-take_away(struct removals *removals, uint32_t number, struct tcs_fault *fault)
+enum tcs_status
+removals_take(
+	struct removals *removals, uint32_t number, struct tcs_fault *fault)
 {
 	const struct part *part = &removals->parts.at.at[number];
 	enum tcs_status status;
@@ -442,6 +444,14 @@ removals_look(struct removals *removals, struct tcs_fault *fault)
 }
 
 enum tcs_status
+removals_hide(struct removals *removals, uint32_t part, struct tcs_fault *fault)
+{
+	removals->visible.at[part] = 0;
+	return removals->parts.at.at[part].gone ? TCS_OK
+						: judge(removals, part, fault);
+}
+
+enum tcs_status
 removals_try(struct removals *removals, struct tcs_fault *fault)
 {
 	struct queue_entry first = *node_queue_first(&removals->queue);
@@ -460,7 +470,7 @@ removals_try(struct removals *removals, struct tcs_fault *fault)
 		node_queue_set(&removals->queue, first.node, price);
 		return TCS_OK;
 	}
-	return take_away(removals, first.node, fault);
+	return removals_take(removals, first.node, fault);
 }
 
 void

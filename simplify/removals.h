@@ -64,6 +64,18 @@ enum tcs_status removals_try(
 enum tcs_status removals_look(
 	struct removals *removals, struct tcs_fault *fault) TCS_CHECKED;
 
+/* Take a part away, at any price, if nothing stands on it alone. Fails with
+   TCS_NO_MEMORY. */
+enum tcs_status removals_take(struct removals *removals, uint32_t part,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The faces that a part still has. */
+uint32_t removals_faces(const struct removals *removals, uint32_t part);
+
+/* A part is not seen any more. Fails with TCS_NO_MEMORY. */
+enum tcs_status removals_hide(struct removals *removals, uint32_t part,
+	struct tcs_fault *fault) TCS_CHECKED;
+
 void removals_release(struct removals *removals);
 
 #endif

@@ -262,6 +262,48 @@ two_triangles_back_to_back_stay(void)
 	close_mesh(&mesh);
 }
 
+/* A band goes all around the tube of a torus, and fans close it: a sphere. */
+static void
+a_torus_cut_and_closed_is_a_sphere(void)
+{
+	enum { AROUND = 14, TUBE = 11, CAP = TUBE - 2 };
+
+	struct mesh mesh;
+	struct counts left;
+	uint32_t faces[2 * TUBE], corners[2 * CAP * 3], c[3], across[3];
+	uint32_t *next = corners;
+	struct tcs_fault fault;
+
+	make_grid(&mesh, AROUND, TUBE, true, true);
+	/* Column 0: its left rim goes up, the right one down. */
+	for (uint32_t y = 0; y < TUBE; y++) {
+		faces[2 * y] = 2 * AROUND * y;
+		faces[2 * y + 1] = 2 * AROUND * y + 1;
+	}
+	for (uint32_t i = 1; i <= CAP; i++) {
+		*next++ = 0;
+		*next++ = AROUND * (i + 1);
+		*next++ = AROUND * i;
+		*next++ = 1;
+		*next++ = AROUND * i + 1;
+		*next++ = AROUND * (i + 1) + 1;
+	}
+	CHECK(!half_edges_refill(mesh.half_edges, faces, 2 * (size_t)TUBE,
+		corners, 2 * (size_t)CAP, &fault));
+	left = count(&mesh);
+	CHECK(left.open == 0);
+	CHECK(left.faces == (AROUND - 1) * TUBE * 2 + 2 * CAP);
+	CHECK(left.vertices - left.edges + left.faces == 2);
+	CHECK(!half_edges_corners(mesh.half_edges, faces[2 * CAP], c));
+	CHECK(half_edges_corners(mesh.half_edges, faces[0], c));
+	half_edges_across(mesh.half_edges, faces[0], across);
+	for (int k = 0; k < 3; k++)
+		CHECK(across[k] != HALF_EDGE_NONE && across[k] != faces[0]);
+	left = collapse_all(&mesh);
+	CHECK(left.faces == 4 && left.vertices == 4);
+	close_mesh(&mesh);
+}
+
 static const struct check_test tests[] = {
 	CHECK_TEST(a_vertex_has_its_spokes_counterclockwise),
 	CHECK_TEST(a_sheet_falls_to_one_triangle),
@@ -269,6 +311,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(a_torus_stays_a_torus),
 	CHECK_TEST(a_sphere_falls_to_a_tetrahedron),
 	CHECK_TEST(two_triangles_back_to_back_stay),
+	CHECK_TEST(a_torus_cut_and_closed_is_a_sphere),
 	{0},
 };
 

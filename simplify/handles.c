@@ -1,0 +1,310 @@
+#include "handles.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "handle_price.h"
+#include "inner_outlines.h"
+
+/* What would cross something is tried again at so many times the price: that
+   may have gone by then. */
+#define LATER 2
+
+/* ---- finding ------------------------------------------------------------- */
+
+/* Number the pieces that have a host: owners.at becomes the handle of every
+   face. */
+static enum tcs_status
+number_handles(struct handles *handles, const struct inner_outlines *outlines,
+	struct tcs_fault *fault)
+{
+	size_t faces = outlines->pieces.count;
+
+	array_clear(&handles->at);
+	array_clear(&handles->owners);
+	if (array_grow(&handles->owners, faces))
+		return fault_memory(fault);
+	handles->owners.count = faces;
+	for (size_t i = 0; i < faces; i++) {
+		uint32_t piece = outlines->pieces.at[i];
+
+		handles->owners.at[i] = TCS_NONE;
+		if (outlines->hosts.at[piece] == TCS_NONE)
+			continue;
+		if (piece < i) {
+			handles->owners.at[i] = handles->owners.at[piece];
+			continue;
+		}
+		if (array_grow(&handles->at, 1))
+			return fault_memory(fault);
+		handles->owners.at[i] = (uint32_t)handles->at.count;
+		handles->at.at[handles->at.count++] = (struct handle){
+			.part = handles->removals->parts.numbers.at[i]};
+	}
+	return TCS_OK;
+}
+
+/* Sort the faces by their handle: count, then place. */
+static enum tcs_status
+sort_faces(struct handles *handles, struct tcs_fault *fault)
+{
+	size_t faces = handles->owners.count;
+	uint32_t first = 0;
+
+	array_clear(&handles->faces);
+	for (size_t i = 0; i < faces; i++)
+		if (handles->owners.at[i] != TCS_NONE)
+			handles->at.at[handles->owners.at[i]].count++;
+	for (size_t i = 0; i < handles->at.count; i++) {
+		struct handle *handle = &handles->at.at[i];
+
+		handle->first = first;
+		first += handle->count;
+		handle->count = 0;
+	}
+	if (array_grow(&handles->faces, first))
+		return fault_memory(fault);
+	handles->faces.count = first;
+	for (uint32_t i = 0; i < faces; i++) {
+		struct handle *handle;
+
+		if (handles->owners.at[i] == TCS_NONE)
+			continue;
+		handle = &handles->at.at[handles->owners.at[i]];
+		handles->faces.at[handle->first + handle->count++] = i;
+	}
+	return TCS_OK;
+}
+
+enum tcs_status
+handles_find(struct handles *handles, struct collapses *work,
+	struct removals *removals, struct tcs_fault *fault)
+{
+	struct inner_outlines outlines = {0};
+	enum tcs_status status =
+		inner_outlines_find(&outlines, work->set, work->sheets, fault);
+
+	handles->work = work;
+	handles->removals = removals;
+	handles->closed = 0;
+	if (!status)
+		status = number_handles(handles, &outlines, fault);
+	inner_outlines_release(&outlines);
+	if (!status)
+		status = sort_faces(handles, fault);
+	if (!status)
+		status = node_queue_reset(
+			&handles->queue, handles->at.count, fault);
+	/* What is watched cannot be refilled. */
+	if (status || work->settings.max_error > 0)
+		return status;
+	for (uint32_t i = 0; i < handles->at.count; i++)
+		node_queue_set(&handles->queue, i,
+			handle_least_price(handles, &handles->at.at[i]));
+	return TCS_OK;
+}
+
+double
+handles_next_cost(const struct handles *handles)
+{
+	const struct queue_entry *first = node_queue_first(&handles->queue);
+
+	return first ? first->cost : INFINITY;
+}
+
+/* ---- the triangles that close it ----------------------------------------- */
+
+/*
+ * A face of a handle with one rim that looks the same way as what closes it,
+ * and is of another surface: a window at the bottom of a recess comes forward,
+ * and what closes the recess is the window. TCS_NONE: there is none.
+ */
+static uint32_t
+find_bottom(const struct handles *handles)
+{
+	const struct rims *rims = &handles->rims;
+	const uint32_t *features = handles->work->features.at;
+	uint32_t beyond = features[rims->edges.at[0].beyond], best = TCS_NONE;
+	double most = 0;
+
+	for (size_t i = 0; rims->loops.count == 1 && i < rims->faces.count;
+		i++) {
+		uint32_t face = rims->faces.at[i];
+		struct triangle_shape shape = handle_now_shape(handles, face);
+		struct tcs_point normal = triangle_normal(&shape);
+		double along = vector_dot(normal, rims->loops.at[0].normal);
+
+		if (features[face] == beyond || along <= most ||
+			along < SAME_PLANE * vector_length(normal))
+			continue;
+		most = along;
+		best = face;
+	}
+	return best;
+}
+
+/* Let every triangle continue the face beyond its rim, or the bottom. */
+static void
+choose_models(struct handles *handles)
+{
+	struct rims *rims = &handles->rims;
+	uint32_t bottom = find_bottom(handles);
+
+	for (size_t i = 0; bottom != TCS_NONE && i < rims->beyond.count; i++)
+		rims->beyond.at[i] = bottom;
+}
+
+/* Six times the volume that is added with the caps. */
+static double
+volume_added(const struct handles *handles)
+{
+	const struct rims *rims = &handles->rims;
+	struct tcs_point origin = handle_cap_shape(handles, 0).corner[0];
+	double volume = 0;
+
+	for (size_t i = 0; i < rims->beyond.count; i++) {
+		struct triangle_shape shape = handle_cap_shape(handles, i);
+
+		volume += vector_dot(vector_difference(shape.corner[0], origin),
+			triangle_normal(&shape));
+	}
+	for (size_t i = 0; i < rims->faces.count; i++) {
+		struct triangle_shape shape =
+			handle_now_shape(handles, rims->faces.at[i]);
+
+		volume -= vector_dot(vector_difference(shape.corner[0], origin),
+			triangle_normal(&shape));
+	}
+	return volume;
+}
+
+static int
+by_number(const void *left, const void *right)
+{
+	const uint32_t *a = left, *b = right;
+
+	return (*a > *b) - (*a < *b);
+}
+
+/* The contacts of the points that the faces hold, one for each. */
+static enum tcs_status
+list_contacts(struct handles *handles, struct tcs_fault *fault)
+{
+	const struct seams *seams = handles->work->seams;
+	const struct rims *rims = &handles->rims;
+
+	handles->held.count = 0;
+	for (size_t i = 0; i < rims->faces.count; i++)
+		for (uint32_t hold = seams->faces.at[rims->faces.at[i]];
+			hold != TCS_NONE; hold = seams->holds.at[hold].next) {
+			if (array_grow(&handles->held, 1))
+				return fault_memory(fault);
+			handles->held.at[handles->held.count++] =
+				seams->points.at[hold / 2].contact;
+		}
+	if (handles->held.count > 0)
+		qsort(handles->held.at, handles->held.count,
+			sizeof *handles->held.at, by_number);
+	return TCS_OK;
+}
+
+/* ---- closing ------------------------------------------------------------- */
+
+/* What stood in a hole is enclosed now, and not seen. */
+static enum tcs_status
+enclose(struct handles *handles, uint32_t host, struct tcs_fault *fault)
+{
+	struct removals *removals = handles->removals;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = 0; i < handles->held.count; i++) {
+		uint32_t number = handles->held.at[i];
+		const struct contact *contact =
+			&handles->removals->list->at[number];
+
+		if ((i > 0 && number == handles->held.at[i - 1]) ||
+			handles->work->seams->counts.at[number].points > 0)
+			continue;
+		removals->parts.enclosed.at[contact->a]++;
+		removals->parts.enclosed.at[contact->b]++;
+	}
+	for (size_t i = 0; !status && i < handles->hidden.count; i++) {
+		uint32_t part = handles->hidden.at[i];
+
+		status = handle_becomes_one(handles, part, host)
+			? removals_take(removals, part, fault)
+			: removals_hide(removals, part, fault);
+	}
+	return status;
+}
+
+static enum tcs_status
+close_handle(struct handles *handles, uint32_t number,
+	const struct refill *refill, struct tcs_fault *fault)
+{
+	uint32_t host = handles->at.at[number].part;
+	enum tcs_status status = collapses_refill(handles->work, refill, fault);
+
+	node_queue_set(&handles->queue, number, INFINITY);
+	handles->closed++;
+	return status || !refill->adds ? status : enclose(handles, host, fault);
+}
+
+/* What the rims say is to be done; false if it cannot be. */
+static enum tcs_status
+plan(struct handles *handles, const struct handle *handle,
+	struct refill *refill, bool *fine, struct tcs_fault *fault)
+{
+	const struct rims *rims = &handles->rims;
+	enum tcs_status status = rims_find(&handles->rims, handles->work,
+		handles->faces.at + handle->first, handle->count,
+		handles->owners.at, fine, fault);
+
+	if (status || !*fine)
+		return status;
+	choose_models(handles);
+	*refill = (struct refill){rims->faces.at, rims->faces.count,
+		rims->corners.at, rims->beyond.at, rims->beyond.count,
+		volume_added(handles) > 0};
+	return list_contacts(handles, fault);
+}
+
+enum tcs_status
+handles_try(struct handles *handles, struct tcs_fault *fault)
+{
+	struct queue_entry first = *node_queue_first(&handles->queue);
+	struct refill refill = {0};
+	double price = INFINITY;
+	bool fine = false;
+	enum tcs_status status = removals_look(handles->removals, fault);
+
+	if (!status)
+		status = plan(handles, &handles->at.at[first.node], &refill,
+			&fine, fault);
+	if (!status && fine)
+		status = handle_price(
+			handles, first.node, refill.adds, &price, fault);
+	if (!status && price <= first.cost) {
+		status = crossing_watch_admits(
+			handles->work, &refill, &fine, fault);
+		if (!status && fine)
+			return close_handle(
+				handles, first.node, &refill, fault);
+		price = LATER * first.cost;
+	}
+	if (!status)
+		node_queue_set(&handles->queue, first.node, price);
+	return status;
+}
+
+void
+handles_release(struct handles *handles)
+{
+	array_release(&handles->at);
+	array_release(&handles->faces);
+	array_release(&handles->owners);
+	node_queue_release(&handles->queue);
+	rims_release(&handles->rims);
+	array_release(&handles->hidden);
+	array_release(&handles->held);
+}
