@@ -135,7 +135,7 @@ face_judge(
 {
 	struct triangulator *triangulator = triangulator_new();
 	enum tcs_status status = TCS_NO_MEMORY;
-	struct triangulation found;
+	struct triangulation found = {.outcome = TRIANGULATION_EMPTY};
 	struct tcs_fault fault;
 
 	if (triangulator)
