@@ -101,6 +101,11 @@ main(int argc, char **argv)
 			.help = "Give every product geometry of its own, "
 				"rather than instances of prototypes.",
 			.target = &options.bake},
+		{.type = OPTION_FLAG,
+			.name = "layers",
+			.help = "Cut walls, slabs and the like into the layers "
+				"of their material.",
+			.target = &options.layers},
 		{.type = OPTION_NUMBER,
 			.name = "deflection",
 			.argument = "METRES",

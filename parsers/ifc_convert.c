@@ -149,6 +149,7 @@ worker_begin(void *context, void *worker, struct tcs_fault *fault)
 		&convert->place.world, convert->options->deflection, fault);
 
 	((struct ifc_worker *)worker)->prototypes = convert->made;
+	((struct ifc_worker *)worker)->layers = convert->options->layers;
 	return status;
 }
 

@@ -18,6 +18,7 @@ struct ifc_options {
 	bool local; /* engineering coordinates, whatever the georeference */
 	struct ifc_keep keep;
 	bool bake; /* no prototypes */
+	bool layers; /* of materials, as parts of their own */
 	bool compress; /* the records */
 };
 

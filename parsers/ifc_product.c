@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "ifc_attributes.h"
+#include "ifc_layers.h"
 #include "ifc_representation.h"
 
 enum { PRODUCT_PLACEMENT = 5, LOD = 3 };
@@ -205,14 +206,13 @@ tools_shape(struct ifc_worker *worker, uint32_t node, bool additions,
 typedef enum ifc_outcome tool_user(struct ifc_shaper *shaper, uint32_t product,
 	const struct ifc_body *tools, struct ifc_body *body);
 
-/* Cut or join the tools; a body where that cannot be done stays whole. */
+/* What became of a step on the body, which stays as it was if refused. */
 static enum tcs_status
-tools_use(struct ifc_worker *worker, tool_user *use, uint32_t product,
-	const char *id, struct report *report, struct tcs_fault *fault)
+outcome_report(const struct ifc_worker *worker, enum ifc_outcome outcome,
+	uint32_t product, const char *id, struct report *report,
+	struct tcs_fault *fault)
 {
-	if (!worker->tools.parts.count)
-		return TCS_OK;
-	switch (use(&worker->shaper, product, &worker->tools, &worker->body)) {
+	switch (outcome) {
 	case IFC_SHAPED:
 		return TCS_OK;
 	case IFC_REFUSED:
@@ -221,6 +221,28 @@ tools_use(struct ifc_worker *worker, tool_user *use, uint32_t product,
 	default:
 		return fault_memory(fault);
 	}
+}
+
+/* Cut or join the tools. */
+static enum tcs_status
+tools_use(struct ifc_worker *worker, tool_user *use, uint32_t product,
+	const char *id, struct report *report, struct tcs_fault *fault)
+{
+	if (!worker->tools.parts.count)
+		return TCS_OK;
+	return outcome_report(worker,
+		use(&worker->shaper, product, &worker->tools, &worker->body),
+		product, id, report, fault);
+}
+
+static enum tcs_status
+body_layer(struct ifc_worker *worker, uint32_t product, uint32_t paint,
+	const char *id, struct report *report, struct tcs_fault *fault)
+{
+	return outcome_report(worker,
+		ifc_body_layer(&worker->shaper, worker->model, product, paint,
+			&worker->body),
+		product, id, report, fault);
 }
 
 /* Whether a product is a projection that its host has joined to itself. */
@@ -350,6 +372,7 @@ body_shape(struct ifc_worker *worker, uint32_t node, uint32_t representation,
 	struct tcs_fault *fault)
 {
 	uint32_t product = worker->model->tree.at[node].instance;
+	uint32_t paint = ifc_material_paint(worker->model, product);
 	enum tcs_status status;
 
 	ifc_body_clear(&worker->body);
@@ -362,13 +385,15 @@ body_shape(struct ifc_worker *worker, uint32_t node, uint32_t representation,
 	if (!status)
 		status = tools_use(
 			worker, ifc_body_join, product, id, report, fault);
-	body_paint(worker, ifc_material_paint(worker->model, product));
+	body_paint(worker, paint);
 	if (!status)
 		status = tools_shape(
 			worker, node, false, world, id, report, fault);
 	if (!status)
 		status = tools_use(
 			worker, ifc_body_open, product, id, report, fault);
+	if (!status && worker->layers)
+		status = body_layer(worker, product, paint, id, report, fault);
 	return status ? status : remarks_report(worker, id, report, fault);
 }
 

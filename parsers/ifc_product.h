@@ -13,6 +13,7 @@ struct ifc_worker {
 	const struct ifc_model *model; /* borrowed */
 	const struct ifc_prototypes *prototypes; /* borrowed; NULL: bake all */
 	struct ifc_matrix world; /* from the file's world to the stream's */
+	bool layers; /* cut bodies into those of their material */
 	struct ifc_shaper shaper;
 	struct triangulator *triangulator;
 	struct ifc_body body;
