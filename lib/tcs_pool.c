@@ -47,7 +47,7 @@ pool_find(const struct text_pool *pool, const char *string, size_t length,
 static int
 pool_widen(struct text_pool *pool)
 {
-	size_t count = pool->slot_count ? pool->slot_count * 2 : 64;
+	size_t count = pool->slot_count ? pool->slot_count * 2 : 128;
 	struct pool_slot *slots = calloc(count, sizeof *slots);
 
 	if (!slots)

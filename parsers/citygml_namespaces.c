@@ -36,7 +36,7 @@ static int
 slots_grow(struct namespaces *namespaces)
 {
 	struct namespaces old = *namespaces;
-	size_t room = old.slots.count ? old.slots.count * 2 : 256;
+	size_t room = old.slots.count ? old.slots.count * 2 : 512;
 
 	memset(&namespaces->slots, 0, sizeof namespaces->slots);
 	if (array_grow(&namespaces->slots, room)) {
@@ -95,7 +95,8 @@ spelling_look(struct namespaces *namespaces, const char *spelled)
 		namespaces->parts = xmlDictCreate();
 	if (!namespaces->parts)
 		return NULL;
-	if (namespaces->used * 2 >= namespaces->slots.count &&
+	/* Few share a slot, so that nearly all are found at first sight. */
+	if (namespaces->used * 4 >= namespaces->slots.count &&
 		slots_grow(namespaces))
 		return NULL;
 	slot = slot_of(namespaces, spelled);
