@@ -285,6 +285,10 @@ mesh_load(struct gml_reader *reader, const char *path, const char *key,
 		status = geometry_add(reader, &mesh, instance, fault);
 	if (!status && !*problem)
 		status = template_add(reader, key, geometry, instance, fault);
+	if (!status && !*problem && mesh.lacks)
+		status = raw_report(&reader->raw->report, REPORT_NOTE,
+			"library object", mesh.lacks, path, instance->line,
+			fault);
 	mesh_file_release(&mesh);
 	return status;
 }

@@ -54,6 +54,7 @@ struct mesh_file {
 	TCS_ARRAY(struct mesh_image) images;
 	TCS_ARRAY(char) names; /* NUL-terminated each */
 	TCS_ARRAY(unsigned char) bytes;
+	const char *lacks; /* NULL, or static text: what could not be had */
 };
 
 void mesh_file_release(struct mesh_file *mesh);
@@ -127,6 +128,11 @@ enum tcs_status mesh_parse_gltf(struct mesh_file *mesh,
 	const struct mesh_source *source, const struct mesh_bytes *bytes,
 	const char **problem, struct tcs_fault *fault) TCS_CHECKED;
 enum tcs_status mesh_parse_obj(struct mesh_file *mesh,
+	const struct mesh_source *source, const struct mesh_bytes *bytes,
+	const char **problem, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The materials of an OBJ; `source` is their own file. */
+enum tcs_status mesh_parse_mtl(struct mesh_file *mesh,
 	const struct mesh_source *source, const struct mesh_bytes *bytes,
 	const char **problem, struct tcs_fault *fault) TCS_CHECKED;
 

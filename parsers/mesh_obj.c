@@ -13,7 +13,6 @@ struct obj {
 	struct tcs_fault *fault;
 	uint32_t material; /* in force; TCS_NONE */
 	int libraries; /* of materials, read so far */
-	char *library; /* path of the one being read; owned */
 	TCS_ARRAY(struct tcs_texcoord) texcoords;
 };
 
@@ -150,7 +149,7 @@ image_take(struct obj *obj, struct words *words)
 
 	if (!image_options_take(words, &wrap) || !*words_rest(words))
 		return TCS_OK;
-	uri = mesh_path_beside(obj->library, words_rest(words));
+	uri = mesh_path_beside(obj->source->path, words_rest(words));
 	if (!uri)
 		return fault_memory(obj->fault);
 	status = mesh_add_image(mesh, obj->source, uri, "", wrap, NULL, &image,
@@ -218,22 +217,45 @@ lines_take(struct obj *obj, struct mesh_bytes *bytes,
 	return status;
 }
 
+enum tcs_status
+mesh_parse_mtl(struct mesh_file *mesh, const struct mesh_source *source,
+	const struct mesh_bytes *bytes, const char **problem,
+	struct tcs_fault *fault)
+{
+	struct obj obj = {
+		.mesh = mesh,
+		.source = source,
+		.problem = problem,
+		.fault = fault,
+	};
+	struct mesh_bytes text = *bytes;
+
+	*problem = NULL;
+	return lines_take(&obj, &text, material_line);
+}
+
 /* Without its colours a mesh is still one. */
 static enum tcs_status
 library_read(struct obj *obj, const char *name)
 {
+	struct mesh_source source = *obj->source;
+	char *path = mesh_path_beside(source.path, name);
 	struct mesh_bytes bytes;
 	const char *problem;
-	enum tcs_status status = mesh_bytes_read(
-		&bytes, obj->source, name, &problem, obj->fault);
+	enum tcs_status status;
 
-	if (!status && !problem) {
-		obj->library = mesh_path_beside(obj->source->path, name);
-		status = obj->library ? lines_take(obj, &bytes, material_line)
-				      : fault_memory(obj->fault);
-		free(obj->library);
-	}
+	if (!path)
+		return fault_memory(obj->fault);
+	status = mesh_bytes_read(
+		&bytes, obj->source, name, &problem, obj->fault);
+	source.path = path;
+	if (problem)
+		obj->mesh->lacks = "its materials cannot be read";
+	else if (!status)
+		status = mesh_parse_mtl(
+			obj->mesh, &source, &bytes, obj->problem, obj->fault);
 	free(bytes.at);
+	free(path);
 	return status;
 }
 

@@ -69,6 +69,25 @@ check(const struct mesh_file *mesh, uint64_t limit)
 			abort();
 }
 
+/* What stands before a NUL is the OBJ's materials. */
+static enum tcs_status
+parse_obj(struct mesh_file *mesh, const struct mesh_source *source,
+	struct mesh_bytes bytes, const char **problem, struct tcs_fault *fault)
+{
+	size_t length = strlen((const char *)bytes.at);
+	struct mesh_bytes materials = {bytes.at, length};
+	enum tcs_status status;
+
+	if (length == bytes.count)
+		return mesh_parse_obj(mesh, source, &bytes, problem, fault);
+	status = mesh_parse_mtl(mesh, source, &materials, problem, fault);
+	bytes.at += length + 1;
+	bytes.count -= length + 1;
+	return status || *problem
+		? status
+		: mesh_parse_obj(mesh, source, &bytes, problem, fault);
+}
+
 int
 LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
@@ -87,7 +106,7 @@ LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 	memcpy(copy.at, bytes + 1, copy.count);
 	status = *bytes & 1
 		? mesh_parse_gltf(&mesh, &source, &copy, &problem, &fault)
-		: mesh_parse_obj(&mesh, &source, &copy, &problem, &fault);
+		: parse_obj(&mesh, &source, copy, &problem, &fault);
 	if (status && status != TCS_NO_MEMORY)
 		abort();
 	if (!status && !problem)
