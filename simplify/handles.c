@@ -1,5 +1,6 @@
 #include "handles.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -290,7 +291,7 @@ handles_try(struct handles *handles, struct tcs_fault *fault)
 		if (!status && fine)
 			return close_handle(
 				handles, first.node, &refill, fault);
-		price = LATER * first.cost;
+		price = LATER * fmax(first.cost, DBL_MIN);
 	}
 	if (!status)
 		node_queue_set(&handles->queue, first.node, price);

@@ -1,11 +1,12 @@
 /* That nothing comes to go through what it did not. */
-#include <math.h>
 #include "simplify/crossing.h"
+#include <math.h>
 
 #include "check.h"
 #include "collapse_sample.h"
 
-static const struct collapse_settings plain = {.base_ratio = 2, .contact_cost = INFINITY};
+static const struct collapse_settings plain = {
+	.base_ratio = 2, .contact_cost = INFINITY};
 
 /* A pyramid of two metres without a floor, one metre high. */
 static void

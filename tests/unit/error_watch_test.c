@@ -1,5 +1,5 @@
-#include <math.h>
 #include "simplify/error_watch.h"
+#include <math.h>
 
 #include "check.h"
 #include "collapse_sample.h"

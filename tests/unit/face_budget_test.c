@@ -1,10 +1,11 @@
-#include <math.h>
 #include "simplify/face_budget.h"
+#include <math.h>
 
 #include "check.h"
 #include "collapse_sample.h"
 
-static const struct collapse_settings plain = {.base_ratio = 2, .contact_cost = INFINITY};
+static const struct collapse_settings plain = {
+	.base_ratio = 2, .contact_cost = INFINITY};
 
 static struct structure_counts
 count(const struct collapse_sample *sample)

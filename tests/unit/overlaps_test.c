@@ -1,10 +1,11 @@
-#include <math.h>
 #include "simplify/overlaps.h"
+#include <math.h>
 
 #include "check.h"
 #include "collapse_sample.h"
 
-static const struct collapse_settings plain = {.base_ratio = 2, .contact_cost = INFINITY};
+static const struct collapse_settings plain = {
+	.base_ratio = 2, .contact_cost = INFINITY};
 
 /* A wall of 4 × 3 metres in the plane x = 0 that looks along x, and a pane of
    one square metre that stands `before` it. */

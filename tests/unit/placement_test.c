@@ -1,5 +1,5 @@
-#include <math.h>
 #include "simplify/placement.h"
+#include <math.h>
 
 #include "check.h"
 #include "collapse_sample.h"
@@ -151,8 +151,10 @@ vertices_on_a_rim_are_never_moved(void)
 static void
 a_limit_on_the_error_holds_for_moved_vertices(void)
 {
-	const struct collapse_settings settings = {
-		.base_ratio = 2, .contact_cost = INFINITY, .optimal = true, .max_error = 0.02};
+	const struct collapse_settings settings = {.base_ratio = 2,
+		.contact_cost = INFINITY,
+		.optimal = true,
+		.max_error = 0.02};
 	struct collapse_sample sample = {0};
 
 	add_ball(&sample, 1, (struct tcs_point){0, 0, 0}, 1);

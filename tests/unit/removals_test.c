@@ -1,9 +1,10 @@
-#include <math.h>
 #include "simplify/removals.h"
+#include <math.h>
 
 #include "collapse_sample.h"
 
-static const struct collapse_settings settings = {.base_ratio = 2, .contact_cost = INFINITY};
+static const struct collapse_settings settings = {
+	.base_ratio = 2, .contact_cost = INFINITY};
 
 static void
 begin(struct collapse_sample *sample, struct removals *removals)
