@@ -136,7 +136,7 @@ find_surfaces(struct composer *composer)
 	return surfaces;
 }
 
-/* Keys that are in the order of surfaces, and of one in that of materials. */
+/* Sorted keys whose first entry, in place of a theme, is the surface. */
 static void
 find_parts(
 	struct composer *composer, const struct paint_key *keys, size_t count)
