@@ -269,10 +269,11 @@ try_first(struct collapses *work, struct tcs_fault *fault)
 	if (status)
 		return status;
 	if (fine && work->broken > 0) {
-		work->wants_worths = work->worths.count == 0;
 		fine = placement_cost(work, first.node, target, INFINITY) +
 				price_of_broken(work) <=
 			first.cost;
+		/* Without worths the price is less than it is. */
+		work->wants_worths = fine && work->worths.count == 0;
 	}
 	if (fine && !work->wants_worths)
 		return collapse(work, first.node, target, fault);
