@@ -66,48 +66,54 @@ last_link(const struct part *own)
 /* ---- how far it is off --------------------------------------------------- */
 
 /* How far a point is from its part as it came, and from those linked to it. */
-static double
-distance_before(
-	const struct handles *handles, uint32_t part, struct tcs_point from)
+static enum tcs_status
+distance_before(const struct handles *handles, uint32_t part,
+	struct tcs_point from, double *least, struct tcs_fault *fault)
 {
-	const struct removals *removals = handles->removals;
+	struct removals *removals = handles->removals;
 	const struct parts *parts = &removals->parts;
 	const struct part *own = &parts->at.at[part];
-	double least = triangle_tree_nearest(
-		&removals->tree, removals->roots.at[part], from, INFINITY)
-			       .distance;
+	enum tcs_status status =
+		removals_distance(removals, part, from, INFINITY, least, fault);
 
-	for (uint32_t i = own[0].first_link; i < last_link(own); i++) {
+	for (uint32_t i = own[0].first_link; !status && i < last_link(own);
+		i++) {
 		uint32_t other = parts->links.at[i];
+		double distance = INFINITY;
 
 		if (box_distance_squared(&parts->at.at[other].box, from) <
-			least * least)
-			least = fmin(least,
-				triangle_tree_nearest(&removals->tree,
-					removals->roots.at[other], from, least)
-					.distance);
+			*least * *least)
+			status = removals_distance(removals, other, from,
+				*least, &distance, fault);
+		*least = fmin(*least, distance);
 	}
-	return least;
+	return status;
 }
 
 /* The caps' samples from the surface as it was. */
-static double
-caps_off(const struct handles *handles, uint32_t part)
+static enum tcs_status
+caps_off(const struct handles *handles, uint32_t part, double *most,
+	struct tcs_fault *fault)
 {
-	double most = 0;
+	enum tcs_status status = TCS_OK;
 
-	for (size_t i = 0; i < handles->rims.beyond.count; i++) {
+	*most = 0;
+	for (size_t i = 0; !status && i < handles->rims.beyond.count; i++) {
 		struct triangle_shape cap = handle_cap_shape(handles, i);
 
-		most = fmax(most,
-			distance_before(handles, part, triangle_centre(&cap)));
-		for (int k = 0; k < 3; k++)
-			most = fmax(most,
-				distance_before(handles, part,
-					vector_middle(cap.corner[k],
-						cap.corner[(k + 1) % 3])));
+		for (int k = 0; !status && k < 4; k++) {
+			struct tcs_point at = k < 3
+				? vector_middle(cap.corner[k],
+					  cap.corner[(k + 1) % 3])
+				: triangle_centre(&cap);
+			double off = 0;
+
+			status =
+				distance_before(handles, part, at, &off, fault);
+			*most = fmax(*most, off);
+		}
 	}
-	return most;
+	return status;
 }
 
 static double
@@ -401,13 +407,14 @@ handle_price(struct handles *handles, uint32_t number, bool adds, double *price,
 	struct tcs_fault *fault)
 {
 	const struct handle *handle = &handles->at.at[number];
-	double off = fmax(
-		caps_off(handles, handle->part), faces_off(handles, handle));
-	double harm = 0, saved = 0;
-	enum tcs_status status =
-		count_harm(handles, handle, adds, off, &harm, fault);
+	double off, harm = 0, saved = 0;
+	enum tcs_status status = caps_off(handles, handle->part, &off, fault);
 
 	*price = INFINITY;
+	if (status)
+		return status;
+	off = fmax(off, faces_off(handles, handle));
+	status = count_harm(handles, handle, adds, off, &harm, fault);
 	if (!status)
 		status = count_saved(handles, &saved, fault);
 	for (size_t i = 0; !status && adds && i < handles->hidden.count; i++)

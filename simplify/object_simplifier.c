@@ -280,6 +280,19 @@ write_kept(struct object_simplifier *simplifier,
 	return status;
 }
 
+/* Nothing will be collapsed any more. */
+static void
+release_what_collapses(struct object_simplifier *simplifier)
+{
+	seams_release(&simplifier->seams);
+	overlaps_release(&simplifier->overlaps);
+	removals_release(&simplifier->removals);
+	handles_release(&simplifier->handles);
+	collapses_end(&simplifier->collapses);
+	array_release(&simplifier->sheets.normals);
+	array_release(&simplifier->sheets.opposites);
+}
+
 static enum tcs_status
 make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	const struct simplify_level *level, bool last, struct report *report,
@@ -301,10 +314,8 @@ make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 		status = report_add(report, "holes closed",
 			simplifier->handles.closed, fault);
 	simplifier->handles.closed = 0;
-	if (last && simplifier->source.set.triangles.count > LARGE) {
-		seams_release(&simplifier->seams);
-		collapses_end(work);
-	}
+	if (last && simplifier->source.set.triangles.count > LARGE)
+		release_what_collapses(simplifier);
 	if (!status)
 		status = write_level(simplifier, in, level, fault);
 	if (!status)

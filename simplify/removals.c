@@ -23,13 +23,57 @@
 /* From where it is looked at: see visible.h. */
 #define LOWEST_VIEW (-0.1)
 
-enum { MOST_SAMPLES = 16, MOST_LINKS = 1000, VIEWS = 24, VIEW_SIZE = 256 };
+enum { MOST_SAMPLES = 16, MOST_LINKS = 1000, VIEWS = 24 };
+
+/* Pixels: pictures are so wide, by the root of the number of triangles. */
+enum { SMALLEST_VIEW = 64, LARGEST_VIEW = 2048, PER_ROOT = 2 };
 
 /* ---- how far its surface is from what stays ------------------------------- */
 
+/* A tree over the triangles of a part; grown when it is first asked for. */
+static enum tcs_status
+root_of(struct removals *removals, uint32_t part, uint32_t *root,
+	struct tcs_fault *fault)
+{
+	const struct component_set *set = removals->work->set;
+	const struct part *own = &removals->parts.at.at[part];
+	const uint32_t *faces = removals->parts.faces.at + own->first;
+	enum tcs_status status = TCS_OK;
+
+	if (removals->roots.at[part] == TCS_NONE) {
+		array_clear(&removals->items);
+		if (array_grow(&removals->items, own->count))
+			return fault_memory(fault);
+		for (uint32_t i = 0; i < own->count; i++)
+			removals->items.at[i] =
+				removals->work->sheets->face_triangles
+					.at[faces[i]];
+		status = triangle_tree_add(&removals->tree, set->points.at,
+			set->triangles.at, removals->items.at, own->count,
+			&removals->roots.at[part], fault);
+	}
+	*root = removals->roots.at[part];
+	return status;
+}
+
+enum tcs_status
+removals_distance(struct removals *removals, uint32_t part,
+	struct tcs_point from, double reach, double *distance,
+	struct tcs_fault *fault)
+{
+	uint32_t root = TCS_NONE;
+	enum tcs_status status = root_of(removals, part, &root, fault);
+
+	if (!status)
+		*distance = triangle_tree_nearest(
+			&removals->tree, root, from, reach)
+				    .distance;
+	return status;
+}
+
 /* How far the surface of a part is from what stays of those linked to it. */
 struct reaching {
-	const struct removals *removals;
+	struct removals *removals;
 	const struct part *own;
 	uint32_t nearest; /* link: what was nearest to the last point */
 	double most; /* of the points so far; INFINITY: none of them stays */
@@ -37,10 +81,11 @@ struct reaching {
 
 /* A point that is not farther than another was does not matter. As far as the
    part is long is as far as need be looked. */
-static void
-reach_from(struct reaching *reaching, struct tcs_point from)
+static enum tcs_status
+reach_from(struct reaching *reaching, struct tcs_point from,
+	struct tcs_fault *fault)
 {
-	const struct removals *removals = reaching->removals;
+	struct removals *removals = reaching->removals;
 	const struct parts *parts = &removals->parts;
 	uint32_t first = reaching->own[0].first_link;
 	uint32_t count = reaching->own[1].first_link - first;
@@ -52,41 +97,47 @@ reach_from(struct reaching *reaching, struct tcs_point from)
 		uint32_t link =
 			begin + i < count ? begin + i : begin + i - count;
 		uint32_t other = parts->links.at[first + link];
+		enum tcs_status status;
 		double distance;
 
 		if (parts->at.at[other].gone)
 			continue;
 		any = true;
-		distance = triangle_tree_nearest(
-			&removals->tree, removals->roots.at[other], from, least)
-				   .distance;
+		status = removals_distance(
+			removals, other, from, least, &distance, fault);
+		if (status)
+			return status;
 		if (distance < least) {
 			least = distance;
 			reaching->nearest = link;
 		}
 		if (least <= reaching->most)
-			return;
+			return TCS_OK;
 	}
 	reaching->most = any ? least : INFINITY;
+	return TCS_OK;
 }
 
-static double
-distance_of(const struct removals *removals, const struct part *own)
+static enum tcs_status
+distance_of(struct removals *removals, const struct part *own, double *distance,
+	struct tcs_fault *fault)
 {
 	const struct collapses *work = removals->work;
 	struct reaching reaching = {.removals = removals, .own = own};
 	uint32_t step = own->count / MOST_SAMPLES + 1;
+	enum tcs_status status = TCS_OK;
 
-	for (uint32_t i = 0; i < own->count; i += step) {
+	for (uint32_t i = 0; !status && i < own->count; i += step) {
 		uint32_t face = removals->parts.faces.at[own->first + i];
 		struct triangle_shape shape = component_set_shape(
 			work->set, work->sheets->face_triangles.at[face]);
 
-		reach_from(&reaching, triangle_centre(&shape));
-		for (int k = 0; k < 3; k++)
-			reach_from(&reaching, shape.corner[k]);
+		status = reach_from(&reaching, triangle_centre(&shape), fault);
+		for (int k = 0; !status && k < 3; k++)
+			status = reach_from(&reaching, shape.corner[k], fault);
 	}
-	return reaching.most;
+	*distance = reaching.most;
+	return status;
 }
 
 /* ---- what breaks --------------------------------------------------------- */
@@ -235,25 +286,56 @@ judge(struct removals *removals, uint32_t number, struct tcs_fault *fault)
 
 /* ---- looking closer ------------------------------------------------------- */
 
+/* Pixels of a picture: some for each triangle. */
+static unsigned
+picture_size(size_t triangles)
+{
+	double size = PER_ROOT * sqrt((double)triangles);
+
+	return size < SMALLEST_VIEW   ? SMALLEST_VIEW
+		: size < LARGEST_VIEW ? (unsigned)size
+				      : LARGEST_VIEW;
+}
+
+/* areas[i] is what is seen of triangle i; groups is scratch. */
+static enum tcs_status
+look_at_triangles(const struct removals *removals, uint32_t *groups,
+	double *areas, struct tcs_fault *fault)
+{
+	const struct component_set *set = removals->work->set;
+	const struct parts *parts = &removals->parts;
+	const uint32_t *faces = removals->work->sheets->triangle_faces.at;
+	const struct visible_views views = {.directions = VIEWS,
+		.lowest = LOWEST_VIEW,
+		.size = picture_size(set->triangles.count),
+		.jobs = set->jobs,
+		.groups = groups,
+		.group_count = parts->count + 1};
+
+	for (size_t i = 0; i < set->triangles.count; i++)
+		groups[i] = faces[i] == TCS_NONE ? (uint32_t)parts->count
+						 : parts->numbers.at[faces[i]];
+	return visible_find(set->points.at, set->points.count,
+		set->triangles.at, set->triangles.count, &views, areas, fault);
+}
+
 /* The mean area, as projected, that is seen of every part. */
 static enum tcs_status
 look_at_parts(struct removals *removals, struct tcs_fault *fault)
 {
-	const struct component_set *set = removals->work->set;
 	const struct sheets *sheets = removals->work->sheets;
-	const struct visible_views views = {
-		VIEWS, LOWEST_VIEW, VIEW_SIZE, set->jobs};
-	double *areas = calloc(set->triangles.count + 1, sizeof *areas);
-	enum tcs_status status;
+	size_t count = removals->work->set->triangles.count;
+	double *areas = calloc(count + 1, sizeof *areas);
+	uint32_t *groups = calloc(count + 1, sizeof *groups);
+	enum tcs_status status = areas && groups
+		? look_at_triangles(removals, groups, areas, fault)
+		: fault_memory(fault);
 
-	if (!areas)
-		return fault_memory(fault);
-	status = visible_find(set->points.at, set->points.count,
-		set->triangles.at, set->triangles.count, &views, areas, fault);
 	for (size_t i = 0; !status && i < sheets->face_triangles.count; i++)
 		removals->visible.at[removals->parts.numbers.at[i]] +=
 			areas[sheets->face_triangles.at[i]];
 	free(areas);
+	free(groups);
 	return status;
 }
 
@@ -302,41 +384,21 @@ find_visible(struct removals *removals, struct tcs_fault *fault)
 }
 
 static enum tcs_status
-grow_trees(struct removals *removals, struct tcs_fault *fault)
-{
-	const struct component_set *set = removals->work->set;
-	const struct parts *parts = &removals->parts;
-	size_t faces = parts->faces.count;
-	uint32_t *triangles = malloc((faces + 1) * sizeof *triangles);
-	enum tcs_status status = TCS_OK;
-
-	if (!triangles || array_grow(&removals->roots, parts->count)) {
-		free(triangles);
-		return fault_memory(fault);
-	}
-	for (size_t i = 0; i < faces; i++)
-		triangles[i] = removals->work->sheets->face_triangles
-				       .at[parts->faces.at[i]];
-	for (size_t i = 0; !status && i < parts->count; i++)
-		status = triangle_tree_add(&removals->tree, set->points.at,
-			set->triangles.at, triangles + parts->at.at[i].first,
-			parts->at.at[i].count, &removals->roots.at[i], fault);
-	free(triangles);
-	return status;
-}
-
-static enum tcs_status
 make_room(struct removals *removals, struct tcs_fault *fault)
 {
 	size_t contacts = removals->work->seams->counts.count;
 
 	array_clear(&removals->held);
+	array_clear(&removals->roots);
 	if (array_grow(&removals->distances, removals->parts.count) ||
+		array_grow(&removals->roots, removals->parts.count) ||
 		array_grow(&removals->held, contacts))
 		return fault_memory(fault);
 	removals->held.count = contacts;
 	for (size_t i = 0; i < contacts; i++)
 		removals->held.at[i] = 0;
+	for (size_t i = 0; i < removals->parts.count; i++)
+		removals->roots.at[i] = TCS_NONE;
 	return TCS_OK;
 }
 
@@ -435,12 +497,9 @@ removals_take(
 enum tcs_status
 removals_look(struct removals *removals, struct tcs_fault *fault)
 {
-	enum tcs_status status;
-
 	if (removals->visible.count > 0)
 		return TCS_OK;
-	status = find_visible(removals, fault);
-	return status ? status : grow_trees(removals, fault);
+	return find_visible(removals, fault);
 }
 
 enum tcs_status
@@ -456,13 +515,15 @@ removals_try(struct removals *removals, struct tcs_fault *fault)
 {
 	struct queue_entry first = *node_queue_first(&removals->queue);
 	enum tcs_status status = removals_look(removals, fault);
-	double price;
+	double distance, price;
 
+	if (!status)
+		status = distance_of(removals,
+			&removals->parts.at.at[first.node], &distance, fault);
 	if (status)
 		return status;
-	removals->distances.at[first.node] = fmax(
-		removals->distances.at[first.node],
-		distance_of(removals, &removals->parts.at.at[first.node]));
+	removals->distances.at[first.node] =
+		fmax(removals->distances.at[first.node], distance);
 	status = price_of(removals, first.node, &price, fault);
 	if (status)
 		return status;
@@ -482,6 +543,7 @@ removals_release(struct removals *removals)
 	array_release(&removals->distances);
 	triangle_tree_release(&removals->tree);
 	array_release(&removals->roots);
+	array_release(&removals->items);
 	array_release(&removals->contacts);
 	array_release(&removals->held);
 }

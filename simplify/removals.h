@@ -30,8 +30,9 @@ struct removals {
 	TCS_ARRAY(double) visible;
 	/* Per part: metres that its surface is from what stays, at least. */
 	TCS_ARRAY(double) distances;
-	struct triangle_tree tree; /* of every part, once they are looked at */
-	TCS_ARRAY(uint32_t) roots; /* per part: in the tree */
+	struct triangle_tree tree; /* of parts that were asked for */
+	TCS_ARRAY(uint32_t) roots; /* per part: in the tree; TCS_NONE */
+	TCS_ARRAY(uint32_t) items; /* scratch: triangles of a part */
 	TCS_ARRAY(uint32_t) contacts; /* scratch: of one part */
 	TCS_ARRAY(uint32_t) held; /* scratch: per contact, points of it; or 0 */
 	double far; /* metres from what stays: beyond it the price is steep */
@@ -74,6 +75,12 @@ uint32_t removals_faces(const struct removals *removals, uint32_t part);
 
 /* A part is not seen any more. Fails with TCS_NO_MEMORY. */
 enum tcs_status removals_hide(struct removals *removals, uint32_t part,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* How far a point is from the surface that a part came with, if not farther
+   than `reach`; else INFINITY. Fails with TCS_NO_MEMORY, TCS_LIMIT. */
+enum tcs_status removals_distance(struct removals *removals, uint32_t part,
+	struct tcs_point from, double reach, double *distance,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 void removals_release(struct removals *removals);

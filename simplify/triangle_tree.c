@@ -24,22 +24,43 @@ box_of(const struct triangle_shape *shape)
 }
 
 static enum tcs_status
-add_over_boxes(struct triangle_tree *tree, const struct tcs_point *points,
+add_boxes(struct triangle_tree *tree, const struct tcs_point *points,
 	const struct tcs_triangle *triangles, const uint32_t *items,
-	size_t count, struct box *boxes, uint32_t *order, uint32_t *root,
-	struct tcs_fault *fault)
+	size_t count, uint32_t *root, struct tcs_fault *fault)
 {
-	size_t begin = tree->boxes.items.count;
-	enum tcs_status status;
+	struct box *boxes = calloc(count, sizeof *boxes);
+	uint32_t *order = calloc(count, sizeof *order);
+	enum tcs_status status = TCS_OK;
 
-	for (size_t i = 0; i < count; i++) {
+	if (!boxes || !order)
+		status = fault_memory(fault);
+	for (size_t i = 0; !status && i < count; i++) {
 		struct triangle_shape shape =
 			shape_of(points, &triangles[items[i]]);
 
 		boxes[i] = box_of(&shape);
 		order[i] = (uint32_t)i;
 	}
-	status = box_tree_add(&tree->boxes, boxes, order, count, root, fault);
+	if (!status)
+		status = box_tree_add(
+			&tree->boxes, boxes, order, count, root, fault);
+	free(boxes);
+	free(order);
+	return status;
+}
+
+/* The boxes are gone when the shapes come: that is less at once. */
+enum tcs_status
+triangle_tree_add(struct triangle_tree *tree, const struct tcs_point *points,
+	const struct tcs_triangle *triangles, const uint32_t *items,
+	size_t count, uint32_t *root, struct tcs_fault *fault)
+{
+	size_t begin = tree->boxes.items.count;
+	enum tcs_status status =
+		add_boxes(tree, points, triangles, items, count, root, fault);
+
+	if (!status && array_grow(&tree->shapes, count))
+		status = fault_memory(fault);
 	if (status)
 		return status;
 	for (size_t i = begin; i < begin + count; i++) {
@@ -50,25 +71,6 @@ add_over_boxes(struct triangle_tree *tree, const struct tcs_point *points,
 	}
 	tree->shapes.count += count;
 	return TCS_OK;
-}
-
-enum tcs_status
-triangle_tree_add(struct triangle_tree *tree, const struct tcs_point *points,
-	const struct tcs_triangle *triangles, const uint32_t *items,
-	size_t count, uint32_t *root, struct tcs_fault *fault)
-{
-	struct box *boxes = calloc(count, sizeof *boxes);
-	uint32_t *order = calloc(count, sizeof *order);
-	enum tcs_status status;
-
-	if (!boxes || !order || array_grow(&tree->shapes, count))
-		status = fault_memory(fault);
-	else
-		status = add_over_boxes(tree, points, triangles, items, count,
-			boxes, order, root, fault);
-	free(boxes);
-	free(order);
-	return status;
 }
 
 void

@@ -245,8 +245,41 @@ cast_some(void *context, size_t piece, size_t first, size_t end)
 			looking->areas[i] = 0;
 }
 
+/* What needs no ray is not open any more. */
 static enum tcs_status
-cast_all(struct looking *looking, struct tcs_fault *fault)
+close_groups(struct looking *looking, struct tcs_fault *fault)
+{
+	const uint32_t *groups = looking->views->groups;
+	struct tally *all = looking->tallies;
+	bool *shown;
+
+	if (!groups)
+		return TCS_OK;
+	shown = calloc(looking->views->group_count + 1, sizeof *shown);
+	if (!shown)
+		return fault_memory(fault);
+	for (size_t i = 0; i < looking->count; i++)
+		shown[groups[i]] |= all->pixels[i] > 0;
+	for (size_t i = 0; i < looking->count; i++)
+		if (shown[groups[i]])
+			all->open[i] = 0;
+	free(shown);
+	return TCS_OK;
+}
+
+static bool
+any_ray(const struct looking *looking)
+{
+	const struct tally *all = looking->tallies;
+
+	for (size_t i = 0; i < looking->count; i++)
+		if (!all->pixels[i] && all->open[i])
+			return true;
+	return false;
+}
+
+static enum tcs_status
+grow_tree(struct looking *looking, struct tcs_fault *fault)
 {
 	uint32_t *items = calloc(looking->count, sizeof *items);
 	enum tcs_status status;
@@ -259,10 +292,20 @@ cast_all(struct looking *looking, struct tcs_fault *fault)
 		looking->triangles, items, looking->count, &looking->root,
 		fault);
 	free(items);
-	if (status)
-		return status;
-	return split_work(looking->count, RAYS_PER_PIECE, looking->views->jobs,
-		cast_some, looking, fault);
+	return status;
+}
+
+static enum tcs_status
+cast_all(struct looking *looking, struct tcs_fault *fault)
+{
+	enum tcs_status status = close_groups(looking, fault);
+
+	if (!status && any_ray(looking))
+		status = grow_tree(looking, fault);
+	return status
+		? status
+		: split_work(looking->count, RAYS_PER_PIECE,
+			  looking->views->jobs, cast_some, looking, fault);
 }
 
 /* ---- all of it ----------------------------------------------------------- */

@@ -34,6 +34,10 @@ struct visible_views {
 	                  from straight below, 0 from the horizon upwards */
 	unsigned size; /* of a picture, pixels wide and high, at least 1 */
 	unsigned jobs; /* threads; 0 is 1 */
+	/* The group of each triangle, and how many there are; NULL: each is one.
+	   Of a group that some pixel shows, no ray looks for the rest. */
+	const uint32_t *groups;
+	size_t group_count;
 };
 
 /* From everywhere, below included. */
