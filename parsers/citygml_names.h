@@ -2,7 +2,7 @@
  * What element names mean to the CityGML reader.
  *
  * Every (namespace, local name) pair of a file is looked up once and becomes
- * a struct name; libxml2 interns names, so later lookups compare pointers.
+ * a struct name; names are interned, so later lookups compare pointers.
  */
 #ifndef TESSERA_CITYGML_NAMES_H
 #define TESSERA_CITYGML_NAMES_H
@@ -88,7 +88,7 @@ enum name_kind {
 };
 
 struct name {
-	const char *local; /* interned by libxml2 */
+	const char *local; /* interned */
 	const char *prefix; /* "" for none; interned */
 	const char *uri; /* NULL for none; interned */
 	size_t length; /* of local */
@@ -116,7 +116,7 @@ struct names {
 };
 
 /*
- * The meaning of a name; pointers as libxml2 interned them. The result stays
+ * The meaning of a name; the three are interned. The result stays
  * where it is until names_release. NULL without memory.
  */
 struct name *names_find(struct names *names, const char *local,

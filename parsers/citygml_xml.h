@@ -1,9 +1,9 @@
 /*
- * XML as events: libxml2's SAX2 push parser behind three calls.
+ * XML as events: libxml2's push parser behind three calls.
  *
  * No network, no DTD, no entities but the predefined ones: a declared entity
- * or default of an attribute ends the parse. Undeclared prefixes pass. Text is UTF-8 whatever the file's
- * encoding, and arrives in pieces.
+ * or default of an attribute ends the parse. Undeclared prefixes pass. Text is
+ * UTF-8 whatever the file's encoding, and arrives in pieces.
  */
 #ifndef TESSERA_CITYGML_XML_H
 #define TESSERA_CITYGML_XML_H
