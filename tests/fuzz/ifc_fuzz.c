@@ -124,6 +124,7 @@ objects_check(const char *bytes, size_t size)
 		if (ifc_worker_begin(
 			    &worker, &model, &place.world, DEFLECTION, &fault))
 			abort();
+		worker.layers = true;
 		for (size_t i = 0; i < model.objects.objects.count; i++)
 			object_build(
 				&worker, model.objects.objects.at + i, &report);
