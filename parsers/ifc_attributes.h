@@ -65,6 +65,14 @@ enum tcs_status ifc_properties_write(struct ifc_saying *saying, uint32_t set,
 /* ---- ifc_property_reference.c -------------------------------------------- */
 
 /*
+ * Append a string to a text, decoded, behind the joint where there is some
+ * text; nothing for another value. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status ifc_string_join(struct step_text *text,
+	const struct step_value *value, const char *joint,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
  * Append to a text what an object that a property refers to is called: a
  * person, an organization, a document, a material, a table, the parts of a
  * postal address. What has no name is told by its entity. Nothing for

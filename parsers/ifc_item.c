@@ -61,6 +61,16 @@ ifc_part_end(const struct ifc_body *body, size_t part)
 		: body->faces.faces.count;
 }
 
+size_t
+ifc_solid_end(const struct ifc_body *body, size_t part)
+{
+	do
+		part++;
+	while (part < body->parts.count &&
+		body->parts.at[part].kind == IFC_PART_VOID);
+	return part;
+}
+
 enum ifc_outcome
 ifc_part_begin(struct ifc_body *body, enum ifc_part_kind kind, uint32_t item)
 {

@@ -58,6 +58,9 @@ void ifc_body_cut(struct ifc_body *body, size_t first_part);
 /* Where the faces of a part end. */
 size_t ifc_part_end(const struct ifc_body *body, size_t part);
 
+/* The part behind a solid's voids, which belong to it, or behind any other. */
+size_t ifc_solid_end(const struct ifc_body *body, size_t part);
+
 /* Begin a part behind the faces there are. */
 enum ifc_outcome ifc_part_begin(struct ifc_body *body, enum ifc_part_kind kind,
 	uint32_t item) TCS_CHECKED;

@@ -212,10 +212,7 @@ ifc_body_layer(struct ifc_shaper *shaper, const struct ifc_model *model,
 		return IFC_SHAPED;
 	for (size_t part = 0, end; part < body->parts.count && !outcome;
 		part = end) {
-		end = part + 1;
-		while (end < body->parts.count &&
-			body->parts.at[end].kind == IFC_PART_VOID)
-			end++;
+		end = ifc_solid_end(body, part);
 		outcome = solid_layer(
 			shaper, product, &layers, paint, body, part, end, &out);
 	}

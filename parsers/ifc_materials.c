@@ -107,16 +107,8 @@ name_join(const struct ifc_file *file, uint32_t part, struct step_text *names,
 {
 	struct step_value parts,
 		name = ifc_value(file, material_below(file, part, &parts), 0);
-	enum tcs_status status = TCS_OK;
-	unsigned trouble = 0;
 
-	if (name.kind != STEP_STRING || !name.length)
-		return TCS_OK;
-	if (names->count)
-		status = step_decode(names, ", ", 2, &trouble, fault);
-	return status
-		? status
-		: step_decode(names, name.text, name.length, &trouble, fault);
+	return ifc_string_join(names, &name, ", ", fault);
 }
 
 /* The names of all materials, as one attribute. */

@@ -94,17 +94,6 @@ boxes_meet(const struct box *a, const struct box *b)
 		a->lower.z < b->upper.z && b->lower.z < a->upper.z;
 }
 
-/* The end of a solid's parts: its voids belong to it. */
-static size_t
-solid_end(const struct ifc_body *body, size_t part)
-{
-	do
-		part++;
-	while (part < body->parts.count &&
-		body->parts.at[part].kind == IFC_PART_VOID);
-	return part;
-}
-
 /* Where the faces of the parts before `end` end. */
 static size_t
 parts_faces_end(const struct ifc_body *body, size_t end)
@@ -120,7 +109,7 @@ tools_take(struct ifc_cut *cut, const struct ifc_body *tools,
 	enum ifc_outcome outcome = IFC_SHAPED;
 
 	for (size_t i = 0; i < tools->parts.count && !outcome;) {
-		size_t end = solid_end(tools, i);
+		size_t end = ifc_solid_end(tools, i);
 		size_t first = tools->parts.at[i].first_face;
 		size_t last = parts_faces_end(tools, end);
 		struct box box = faces_box(&tools->faces, first, last);
@@ -196,7 +185,7 @@ ifc_body_open(struct ifc_shaper *shaper, uint32_t product,
 	enum ifc_outcome outcome = IFC_SHAPED;
 
 	for (size_t part = 0; part < body->parts.count && !outcome;) {
-		size_t end = solid_end(body, part);
+		size_t end = ifc_solid_end(body, part);
 
 		outcome = part_open(
 			shaper, product, tools, body, part, end, &out);
@@ -226,7 +215,7 @@ part_touched(const struct ifc_shaper *shaper, const struct ifc_body *body,
 	box.upper = (struct tcs_point){
 		box.upper.x + reach, box.upper.y + reach, box.upper.z + reach};
 	while (part < body->parts.count) {
-		size_t end = solid_end(body, part);
+		size_t end = ifc_solid_end(body, part);
 		struct box own =
 			faces_box(&body->faces, body->parts.at[part].first_face,
 				parts_faces_end(body, end));
@@ -254,7 +243,7 @@ tools_choose(struct ifc_shaper *shaper, const struct ifc_body *tools,
 		size_t first = tools->parts.at[i].first_face, last;
 		struct solid *tool;
 
-		end = solid_end(tools, i);
+		end = ifc_solid_end(tools, i);
 		last = parts_faces_end(tools, end);
 		if (part_touched(shaper, body,
 			    faces_box(&tools->faces, first, last)) != part)
@@ -313,7 +302,7 @@ ifc_body_join(struct ifc_shaper *shaper, uint32_t product,
 	enum ifc_outcome outcome = IFC_SHAPED;
 
 	for (size_t part = 0; part < body->parts.count && !outcome;) {
-		size_t end = solid_end(body, part);
+		size_t end = ifc_solid_end(body, part);
 
 		outcome = part_join(
 			shaper, product, tools, body, part, end, &out);

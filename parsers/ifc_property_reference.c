@@ -19,9 +19,8 @@ static const struct {
 	{IFC_MATERIALLAYERSET, {1}, 1, NULL},
 };
 
-/* Append a string to the text, behind the joint where there is some. */
-static enum tcs_status
-string_join(struct step_text *text, const struct step_value *value,
+enum tcs_status
+ifc_string_join(struct step_text *text, const struct step_value *value,
 	const char *joint, struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
@@ -37,7 +36,7 @@ string_join(struct step_text *text, const struct step_value *value,
 				fault);
 }
 
-/* The same for a string, or for those of a list. */
+/* Join a string, or those of a list. */
 static enum tcs_status
 value_join(struct step_text *text, struct step_value value, const char *joint,
 	struct tcs_fault *fault)
@@ -46,9 +45,9 @@ value_join(struct step_text *text, struct step_value value, const char *joint,
 	struct step_value item;
 
 	if (value.kind != STEP_LIST)
-		return string_join(text, &value, joint, fault);
+		return ifc_string_join(text, &value, joint, fault);
 	while (!status && step_next(&value.list, &item) > STEP_END)
-		status = string_join(text, &item, joint, fault);
+		status = ifc_string_join(text, &item, joint, fault);
 	return status;
 }
 
