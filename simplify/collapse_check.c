@@ -1,13 +1,11 @@
 /*
  * What a collapse may not do to the mesh, its surfaces and its seams.
  *
- * Of normals and areas the source says that a change beyond a threshold costs
- * 200 more and is not done; which threshold, and against what, is open. Here
- * such a collapse is not done, at no price. A face is compared with the normal
- * it began with, so that small turns do not add up to a large one, and may
- * turn by 90 degrees. What a ratio of areas is to find, faces that all but
- * vanish, is found by their height instead: a ratio also meets large faces that
- * become half as large, which harms nothing.
+ * A face is compared with the normal it began with, so that small turns do not
+ * add up to a large one, and may turn by 90 degrees. Faces that all but vanish
+ * are found by their height: a ratio of areas also meets large faces that become
+ * half as large, which harms nothing. What is allowed, but dear, is in
+ * collapse_strain.c.
  *
  * source: L, validation (Liu, Li, Zhao, Liu, Texture feature preserving
  * simplification).
@@ -475,6 +473,9 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 		status = check_doubles(work, node, target, fine, fault);
 	if (!status && *fine)
 		status = crossing_watch_allows(work, node, target, fine, fault);
+	if (!status && *fine)
+		status = collapse_is_strained(
+			work, node, &work->is_strained, fault);
 	return status;
 }
 

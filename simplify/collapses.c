@@ -162,15 +162,19 @@ collapses_judge(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 	return status;
 }
 
-/* What the collapse that was just found fine breaks. */
+/* What the collapse that was just found fine costs with what it strains and
+   breaks. */
 static double
-price_of_broken(const struct collapses *work)
+full_cost(const struct collapses *work, double cost)
 {
-	return work->broken > 0 ? work->broken * work->settings.contact_cost
-				: 0;
+	if (work->is_strained)
+		cost *= STRAIN_PENALTY;
+	if (work->broken > 0)
+		cost += work->broken * work->settings.contact_cost;
+	return cost;
 }
 
-/* Aim at the cheapest neighbour that is fine, with all that breaks. */
+/* Aim at the cheapest neighbour that is fine, at its full cost. */
 static enum tcs_status
 judge_again(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 {
@@ -187,7 +191,7 @@ judge_again(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 		if (there.cost >= best.cost)
 			break;
 		status = placement_check(work, node, there.node, &fine, fault);
-		there.cost += price_of_broken(work);
+		there.cost = full_cost(work, there.cost);
 		if (!status && fine && is_cheaper(&there, &best))
 			best = there;
 	}
@@ -268,12 +272,13 @@ try_first(struct collapses *work, struct tcs_fault *fault)
 
 	if (status)
 		return status;
-	if (fine && work->broken > 0) {
-		fine = placement_cost(work, first.node, target, INFINITY) +
-				price_of_broken(work) <=
-			first.cost;
+	if (fine && (work->broken > 0 || work->is_strained)) {
+		fine = full_cost(work,
+			       placement_cost(work, first.node, target,
+				       INFINITY)) <= first.cost;
 		/* Without worths the price is less than it is. */
-		work->wants_worths = fine && work->worths.count == 0;
+		work->wants_worths =
+			fine && work->broken > 0 && work->worths.count == 0;
 	}
 	if (fine && !work->wants_worths)
 		return collapse(work, first.node, target, fault);

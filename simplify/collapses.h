@@ -89,6 +89,7 @@ struct collapses {
 	TCS_ARRAY(struct ring_face) ring; /* those that stay */
 	size_t fan; /* where in `ring` those of the last vertex begin */
 	bool ring_is_open; /* some vertex is on a rim */
+	bool is_strained; /* see collapse_is_strained */
 	TCS_ARRAY(uint32_t) apart; /* scratch: vertices, if there are twins */
 	TCS_ARRAY(uint32_t) leaving; /* scratch: surfaces, one per face */
 	TCS_ARRAY(uint32_t) opened; /* scratch: contacts, one per point */
@@ -216,6 +217,17 @@ double collapse_cost_at(
  */
 enum tcs_status collapse_check(struct collapses *work, uint32_t node,
 	uint32_t target, bool *fine, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The cost of a collapse that is strained: so many times as much. */
+#define STRAIN_PENALTY 200
+
+/*
+ * Whether what else is fine turns a face by more than 90 degrees at once, or makes
+ * the faces around the node more than four times as large or as small: work->ring has
+ * those that stay. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status collapse_is_strained(struct collapses *work, uint32_t node,
+	bool *strained, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Do what was just found fine. Fails with TCS_NO_MEMORY. */
 enum tcs_status collapse_do(struct collapses *work, uint32_t node,
