@@ -83,7 +83,7 @@ struct collapses {
 	TCS_ARRAY(struct spoke) spokes; /* scratch */
 	TCS_ARRAY(struct queue_entry) candidates; /* scratch */
 	/* What collapse_check found out: */
-	double broken; /* contacts, each by its worth, and surfaces */
+	double broken; /* contacts, each by its worth, surfaces, crossings */
 	TCS_ARRAY(uint32_t) touched; /* the nodes around */
 	TCS_ARRAY(struct seam_move) moves;
 	TCS_ARRAY(struct ring_face) ring; /* those that stay */
@@ -211,8 +211,8 @@ double collapse_cost_at(
 
 /*
  * Whether it may be done: the mesh stays manifold, no face turns over, becomes
- * a sliver or the same as another, nothing goes through anything that it did
- * not, the surface stays where it may be, and no contact comes wholly apart;
+ * a sliver or the same as another, no component goes through itself where it
+ * did not, the surface stays where it may be, and no contact comes wholly apart;
  * and what breaks. Fails with TCS_NO_MEMORY.
  */
 enum tcs_status collapse_check(struct collapses *work, uint32_t node,

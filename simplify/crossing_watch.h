@@ -1,10 +1,11 @@
 /*
- * That no collapse lets triangles go through each other that did not.
+ * That no collapse lets triangles of a component go through each other that
+ * did not, and what it costs when they go through another component.
  *
  * The faces around a node that moves are compared, as they will be, with all
  * that are near them: those of their own component, and of others. A component
- * that they cross then must have been crossed by the faces around the node
- * before; see crossing.h for what counts. So what crossed from the beginning
+ * that they cross then, and that the faces around the node did not cross
+ * before, counts; see crossing.h for how. So what crossed from the beginning
  * may go on doing so where it did. A collapse within the planes of its faces
  * leaves the same surface and needs no look.
  *
@@ -33,13 +34,14 @@ enum tcs_status crossing_watch_begin(struct crossing_watch *watch,
 	const struct collapses *work, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Whether the node may go where the target is: work->ring has the faces that
-   stay. Fails with TCS_NO_MEMORY. */
+   stay. What they come to cross of other components is added to work->broken
+   if contacts may break, and must not be if not. Fails with TCS_NO_MEMORY. */
 enum tcs_status crossing_watch_allows(struct collapses *work, uint32_t node,
 	uint32_t target, bool *fine, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Whether triangles may take the place of faces, which are in ascending order:
-   what those did not cross they must not cross either. Fails with
-   TCS_NO_MEMORY. */
+   they must not cross their own component where those did not. What they come
+   to cross beside it is added up in work->broken. Fails with TCS_NO_MEMORY. */
 enum tcs_status crossing_watch_admits(struct collapses *work,
 	const struct refill *refill, bool *fine,
 	struct tcs_fault *fault) TCS_CHECKED;

@@ -378,8 +378,8 @@ shape_cost(
 		(1 + far * far * far * far);
 }
 
-/* What breaks, vanishes or is seen no more, in contacts; what is hidden is
-   listed. */
+/* What breaks, vanishes, is crossed or is seen no more, in contacts; what is
+   hidden is listed. */
 static enum tcs_status
 count_harm(struct handles *handles, const struct handle *handle, bool adds,
 	double off, double *harm, struct tcs_fault *fault)
@@ -388,7 +388,7 @@ count_harm(struct handles *handles, const struct handle *handle, bool adds,
 	double share = fmin(1, off / removals->far);
 	enum tcs_status status = TCS_OK;
 
-	*harm = count_vanishing(handles);
+	*harm = count_vanishing(handles) + handles->work->broken;
 	if (adds) {
 		status = list_hidden(handles, handle, fault);
 		for (size_t i = 0; !status && i < handles->hidden.count; i++)

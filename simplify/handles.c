@@ -1,15 +1,10 @@
 #include "handles.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "handle_price.h"
 #include "inner_outlines.h"
-
-/* What would cross something is tried again at so many times the price: that
-   may have gone by then. */
-#define LATER 2
 
 /* ---- finding ------------------------------------------------------------- */
 
@@ -283,19 +278,17 @@ handles_try(struct handles *handles, struct tcs_fault *fault)
 		status = plan(handles, &handles->at.at[first.node], &refill,
 			&fine, fault);
 	if (!status && fine)
-		status = handle_price(
-			handles, first.node, refill.adds, &price, fault);
-	if (!status && price <= first.cost) {
 		status = crossing_watch_admits(
 			handles->work, &refill, &fine, fault);
-		if (!status && fine)
-			return close_handle(
-				handles, first.node, &refill, fault);
-		price = LATER * fmax(first.cost, DBL_MIN);
-	}
-	if (!status)
-		node_queue_set(&handles->queue, first.node, price);
-	return status;
+	if (!status && fine)
+		status = handle_price(
+			handles, first.node, refill.adds, &price, fault);
+	if (status)
+		return status;
+	if (fine && price <= first.cost)
+		return close_handle(handles, first.node, &refill, fault);
+	node_queue_set(&handles->queue, first.node, price);
+	return TCS_OK;
 }
 
 void
