@@ -67,5 +67,5 @@ compare() {
 	done
 } >"$folder/page.html"
 "${CHROMIUM:-chromium}" --headless --no-sandbox --hide-scrollbars \
-	--window-size=1570,$((40 + 345 * $#)) --screenshot="$picture" \
+	--window-size=1570,$((40 + 332 * $#)) --screenshot="$picture" \
 	"file://$folder/page.html" 2>"$folder/log"

@@ -80,6 +80,8 @@ put_simple(const struct step_value *value)
 		put_text(value);
 	else if (step_is(value, "T") || step_is(value, "F"))
 		printf("%s", step_is(value, "T") ? "true" : "false");
+	else if (step_is(value, "U"))
+		printf("unknown");
 	else if (value->kind == STEP_ENUMERATION)
 		for (size_t i = 0; i < value->length; i++)
 			putchar(value->text[i] >= 'A' && value->text[i] <= 'Z'
