@@ -181,7 +181,7 @@ piece_next(struct split *split, bool *more, struct tcs_fault *fault)
 
 	while (tag < end && is_blank(*tag))
 		tag++;
-	if (tag < end && tag > at)
+	if (tag > at && (tag < end || tag - at > READ_MIN))
 		return piece_add(split, tag, false, fault);
 	length = tag < end && *tag == '<' ? tag_name_length(tag, end) : 0;
 	if (!length || !is_member_name(tag + 1, length)) {
