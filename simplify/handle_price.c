@@ -2,9 +2,6 @@
 
 #include <math.h>
 
-/* What is seen of a face of a part counts at least as this share of it. */
-#define HIDDEN_SHARE 0.2
-
 /* What is no longer seen, though it stays, is worth so much of a contact, less
    where what hides it is near. */
 #define VIEW_SHARE 0.25
@@ -15,7 +12,7 @@
 /* Metres: what is less off is not worth a look yet. */
 #define LEAST_OFF 0.01
 
-enum { MOST_SAMPLES = 16, MOST_LINKS = 1000 };
+enum { MOST_SAMPLES = 16 };
 
 /* Of a face as it came. */
 static struct triangle_shape

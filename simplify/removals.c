@@ -5,9 +5,6 @@
 
 #include "visible.h"
 
-/* What is hidden counts as this share of what is seen. */
-#define HIDDEN_SHARE 0.2
-
 /* A contact is worth a square of this share of the object's diagonal as wide,
    off by that share of it. */
 #define CONTACT_WIDTH 0.15
@@ -23,7 +20,7 @@
 /* From where it is looked at: see visible.h. */
 #define LOWEST_VIEW (-0.1)
 
-enum { MOST_SAMPLES = 16, MOST_LINKS = 1000, VIEWS = 24 };
+enum { MOST_SAMPLES = 16, VIEWS = 24 };
 
 /* Pixels: pictures are so wide, by the root of the number of triangles. */
 enum { SMALLEST_VIEW = 64, LARGEST_VIEW = 2048, PER_ROOT = 2 };

@@ -17,6 +17,12 @@
 #include "collapses.h"
 #include "parts.h"
 
+/* What is hidden counts as this share of what is seen. */
+#define HIDDEN_SHARE 0.2
+
+/* Of what a part is linked to, so many are asked. */
+enum { MOST_LINKS = 1000 };
+
 /* What a contact that breaks costs, in an object of that size. */
 double contact_cost(const struct component_set *set);
 
