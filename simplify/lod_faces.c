@@ -84,11 +84,12 @@ list_faces(struct lod_faces *faces, const struct lod_source *source,
 	bool sorted = true;
 
 	for (uint32_t i = 0; i < source->polygons.count; i++) {
-		struct lod_face *face = faces->faces.at + faces->faces.count;
 		uint32_t own = work->sheets->triangle_faces.at[i], nodes[3];
+		struct lod_face *face;
 
 		if (own == TCS_NONE || !collapses_face(work, own, nodes))
 			continue;
+		face = &faces->faces.at[faces->faces.count];
 		face->triangle = collapses_source(work, own);
 		face->polygon = polygons[face->triangle];
 		face->face = own;
