@@ -177,6 +177,17 @@ part_open(struct ifc_shaper *shaper, uint32_t product,
 	return outcome;
 }
 
+/* What became of a body takes its place, unless that failed. */
+static enum ifc_outcome
+body_replace(
+	struct ifc_body *body, struct ifc_body *out, enum ifc_outcome outcome)
+{
+	ifc_body_release(outcome ? out : body);
+	if (!outcome)
+		*body = *out;
+	return outcome;
+}
+
 enum ifc_outcome
 ifc_body_open(struct ifc_shaper *shaper, uint32_t product,
 	const struct ifc_body *tools, struct ifc_body *body)
@@ -191,13 +202,7 @@ ifc_body_open(struct ifc_shaper *shaper, uint32_t product,
 			shaper, product, tools, body, part, end, &out);
 		part = end;
 	}
-	if (outcome) {
-		ifc_body_release(&out);
-		return outcome;
-	}
-	ifc_body_release(body);
-	*body = out;
-	return IFC_SHAPED;
+	return body_replace(body, &out, outcome);
 }
 
 /* ---- joining ------------------------------------------------------------- */
@@ -311,11 +316,5 @@ ifc_body_join(struct ifc_shaper *shaper, uint32_t product,
 	if (!outcome)
 		outcome = tools_choose(
 			shaper, tools, body, body->parts.count, NULL, &out);
-	if (outcome) {
-		ifc_body_release(&out);
-		return outcome;
-	}
-	ifc_body_release(body);
-	*body = out;
-	return IFC_SHAPED;
+	return body_replace(body, &out, outcome);
 }

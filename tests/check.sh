@@ -70,3 +70,21 @@ finish() {
 	((tests_failed == 0))
 	exit
 }
+
+# Whether the programs are built with sanitizers: "yes", or nothing.
+sanitized=
+if grep -qse -fsanitize "${BUILD:-}/flags"; then
+	sanitized=yes
+fi
+
+# bounded MEGABYTES COMMAND...: in so much memory, and a minute. The limit is on
+# addresses, of which libraries and threads reserve 256 MB. A sanitized build
+# reserves far more, and is not bounded.
+bounded() {
+	local megabytes=$1
+	shift
+	(
+		[[ $sanitized ]] || ulimit -v $(((megabytes + 256) * 1024))
+		exec timeout 60 "$@"
+	)
+}

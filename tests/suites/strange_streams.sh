@@ -7,18 +7,6 @@
 . "$(dirname "$0")/../check.sh"
 
 PATH=$BUILD/bin:$PATH
-sanitized=
-grep -qe -fsanitize "$BUILD/flags" && sanitized=yes
-
-# See strangers.sh.
-bounded() {
-	local megabytes=$1
-	shift
-	(
-		[[ $sanitized ]] || ulimit -v $(((megabytes + 256) * 1024))
-		exec timeout 60 "$@"
-	)
-}
 
 # A triangle at a number that can be told from all others.
 small_text() {

@@ -12,19 +12,6 @@ if [[ ! -x $BUILD/bin/citygml2tcs ]]; then
 	skip "all of it" "citygml2tcs is not built"
 	finish
 fi
-sanitized=
-grep -qe -fsanitize "$BUILD/flags" && sanitized=yes
-
-# The limit is on addresses, of which libraries and threads reserve 256 MB. A
-# sanitized build reserves far more, and is not bounded here.
-bounded() {
-	local megabytes=$1
-	shift
-	(
-		[[ $sanitized ]] || ulimit -v $(((megabytes + 256) * 1024))
-		exec timeout 60 "$@"
-	)
-}
 
 # refused MEGABYTES TEXT [OPTION...]: in.gml ends with one line that holds
 # TEXT, and with no output.
