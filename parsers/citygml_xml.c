@@ -2,8 +2,9 @@
 #include <string.h>
 
 #include "citygml_xml_parser.h"
+#include "newlines.h"
 
-static void
+void
 xml_stop(struct xml_parser *parser, enum tcs_status status)
 {
 	parser->status = status;
@@ -49,30 +50,41 @@ xml_declare(struct xml_parser *parser, const struct spelling *spelling,
 		xml_line(parser), MAX_BINDINGS);
 }
 
+enum tcs_status
+xml_take_attribute(struct xml_parser *parser, const struct spelling *spelling,
+	const char *value, size_t length)
+{
+	if (spelling->declares)
+		return xml_declare(parser, spelling, value);
+	if (array_grow(&parser->attributes, 1))
+		return fault_memory(&parser->fault);
+	parser->attributes.at[parser->attributes.count++] =
+		(struct xml_attribute){
+			.local = spelling->local,
+			.prefix = spelling->prefix,
+			.value = value,
+			.length = length,
+		};
+	return TCS_OK;
+}
+
 /* Names and values by turns, and NULL in the end. */
 static enum tcs_status
 xml_take_attributes(struct xml_parser *parser, const xmlChar **given)
 {
-	parser->attributes.count = 0;
-	for (; given && *given; given += 2) {
+	enum tcs_status status = TCS_OK;
+
+	for (; !status && given && *given; given += 2) {
 		const struct spelling *spelling =
 			spelling_find(&parser->namespaces, plain(given[0]));
 		const char *value = plain(given[1]);
 
-		if (!spelling || array_grow(&parser->attributes, 1))
+		if (!spelling)
 			return fault_memory(&parser->fault);
-		if (!spelling->declares)
-			parser->attributes.at[parser->attributes.count++] =
-				(struct xml_attribute){
-					.local = spelling->local,
-					.prefix = spelling->prefix,
-					.value = value,
-					.length = strlen(value),
-				};
-		else if (xml_declare(parser, spelling, value))
-			return parser->fault.status;
+		status = xml_take_attribute(
+			parser, spelling, value, strlen(value));
 	}
-	return TCS_OK;
+	return status;
 }
 
 static enum tcs_status
@@ -98,27 +110,27 @@ xml_too_deep(struct xml_parser *parser)
 		parser->limits->fixed ? "" : " (--max-depth)");
 }
 
-static void
-xml_start(void *user, const xmlChar *spelled, const xmlChar **attributes)
+bool
+xml_enter(struct xml_parser *parser)
 {
-	struct xml_parser *parser = user;
-	enum tcs_status status;
-	struct name *name;
-	bool skip = false;
-
 	if (parser->status)
-		return;
+		return false;
 	if (++parser->depth > parser->limits->depth) {
 		xml_stop(parser, xml_too_deep(parser));
-		return;
+		return false;
 	}
-	if (parser->skipped) {
-		parser->skipped++;
-		return;
-	}
-	status = xml_take_attributes(parser, attributes);
-	if (!status)
-		status = xml_take_name(parser, plain(spelled), &name);
+	parser->skipped += parser->skipped > 0;
+	parser->attributes.count = 0;
+	return !parser->skipped;
+}
+
+void
+xml_open(struct xml_parser *parser, const char *spelled)
+{
+	struct name *name;
+	bool skip = false;
+	enum tcs_status status = xml_take_name(parser, spelled, &name);
+
 	if (!status)
 		status = parser->handler->start(parser->handler->context, name,
 			parser->attributes.at, parser->attributes.count, &skip,
@@ -129,12 +141,25 @@ xml_start(void *user, const xmlChar *spelled, const xmlChar **attributes)
 }
 
 static void
-xml_end(void *user, const xmlChar *spelled)
+xml_start(void *user, const xmlChar *spelled, const xmlChar **attributes)
 {
 	struct xml_parser *parser = user;
 	enum tcs_status status;
 
-	(void)spelled;
+	if (!xml_enter(parser))
+		return;
+	status = xml_take_attributes(parser, attributes);
+	if (status)
+		xml_stop(parser, status);
+	else
+		xml_open(parser, plain(spelled));
+}
+
+void
+xml_close(struct xml_parser *parser)
+{
+	enum tcs_status status;
+
 	if (parser->status)
 		return;
 	namespaces_leave(&parser->namespaces, parser->depth);
@@ -149,17 +174,29 @@ xml_end(void *user, const xmlChar *spelled)
 }
 
 static void
-xml_text(void *user, const xmlChar *bytes, int length)
+xml_end(void *user, const xmlChar *spelled)
 {
-	struct xml_parser *parser = user;
+	(void)spelled;
+	xml_close(user);
+}
+
+void
+xml_characters(struct xml_parser *parser, const char *bytes, size_t length)
+{
 	enum tcs_status status;
 
 	if (parser->status || parser->skipped)
 		return;
-	status = parser->handler->text(parser->handler->context, plain(bytes),
-		(size_t)length, &parser->fault);
+	status = parser->handler->text(
+		parser->handler->context, bytes, length, &parser->fault);
 	if (status)
 		xml_stop(parser, status);
+}
+
+static void
+xml_text(void *user, const xmlChar *bytes, int length)
+{
+	xml_characters(user, plain(bytes), (size_t)length);
 }
 
 static void
@@ -302,13 +339,21 @@ xml_free(struct xml_parser *parser)
 	array_release(&parser->attributes);
 	namespaces_release(&parser->namespaces);
 	array_release(&parser->held);
+	array_release(&parser->plain.open);
 	free(parser);
 }
 
 uint32_t
-xml_line(const struct xml_parser *parser)
+xml_line(struct xml_parser *parser)
 {
+	struct plain_element *plain = &parser->plain;
+
 	if (!parser->context || !parser->context->input)
 		return 1;
-	return (uint32_t)parser->context->input->line;
+	if (!plain->first)
+		return (uint32_t)parser->context->input->line;
+	plain->line += (uint32_t)newlines_count(
+		plain->counted, (size_t)(plain->at - plain->counted));
+	plain->counted = plain->at;
+	return plain->line;
 }

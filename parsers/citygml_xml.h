@@ -75,7 +75,7 @@ enum tcs_status xml_feed_element(struct xml_parser *parser, char *bytes,
 	size_t length, bool *whole, struct tcs_fault *fault) TCS_CHECKED;
 
 /* The line being parsed, from 1. */
-uint32_t xml_line(const struct xml_parser *parser);
+uint32_t xml_line(struct xml_parser *parser);
 
 /* A stretch of the document's bytes. */
 struct xml_stretch {
@@ -88,7 +88,7 @@ struct xml_stretch {
  * element. False, with zeros, where bytes are not taken as they come but
  * converted to UTF-8 first.
  */
-bool xml_place_tag(const struct xml_parser *parser, struct xml_stretch *tag);
+bool xml_place_tag(struct xml_parser *parser, struct xml_stretch *tag);
 bool xml_place_end(const struct xml_parser *parser, uint64_t *end);
 
 /* The bytes fed from now on stand here in the document. */

@@ -7,6 +7,7 @@
 #include <libxml/parserInternals.h>
 
 #include "citygml_xml_parser.h"
+#include "newlines.h"
 
 /* ---- places ---------------------------------------------------------------- */
 
@@ -26,19 +27,41 @@ bool
 xml_place_end(const struct xml_parser *parser, uint64_t *end)
 {
 	const xmlParserInput *input = xml_input_as_fed(parser);
+	const struct plain_element *plain = &parser->plain;
 
+	if (plain->first) {
+		*end = parser->fed + (uint64_t)(plain->at - plain->first);
+		return true;
+	}
 	*end = input ? parser->fed - (uint64_t)(input->end - input->cur) : 0;
 	return input;
 }
 
+/* The line was counted up to the parser; the tag is behind. */
+static void
+plain_place_tag(struct xml_parser *parser, struct xml_stretch *tag)
+{
+	const struct plain_element *plain = &parser->plain;
+	size_t length = (size_t)(plain->at - plain->tag);
+
+	tag->line =
+		xml_line(parser) - (uint32_t)newlines_count(plain->tag, length);
+	tag->at = parser->fed + (uint64_t)(plain->tag - plain->first);
+	tag->end = tag->at + length + 1;
+}
+
 /* The parser stands before the end of the tag; no value of it has a '<'. */
 bool
-xml_place_tag(const struct xml_parser *parser, struct xml_stretch *tag)
+xml_place_tag(struct xml_parser *parser, struct xml_stretch *tag)
 {
 	const xmlParserInput *input = xml_input_as_fed(parser);
 	const xmlChar *first;
 
 	*tag = (struct xml_stretch){0};
+	if (parser->plain.first) {
+		plain_place_tag(parser, tag);
+		return true;
+	}
 	if (!input)
 		return false;
 	tag->line = xml_line(parser);
@@ -140,7 +163,7 @@ xml_check_tag(struct xml_parser *parser, size_t length)
 /* Different names of elements, attributes and namespaces, all kept. */
 #define MAX_NAMES 50000
 
-static enum tcs_status
+enum tcs_status
 xml_check_names(struct xml_parser *parser)
 {
 	xmlDictPtr parts = parser->namespaces.parts;
@@ -333,14 +356,18 @@ xml_feed_element(struct xml_parser *parser, char *bytes, size_t length,
 	bool *whole, struct tcs_fault *fault)
 {
 	char *end = bytes + length;
+	bool plain;
 
 	*whole = false;
 	if (parser->status || !xml_is_between(parser) ||
 		has_stretch(bytes, length))
 		return TCS_OK;
-	if (piece_parse(parser, &bytes, end))
+	if (!xml_read_plain(parser, bytes, length, &plain, whole) && !plain) {
+		if (!piece_parse(parser, &bytes, end))
+			*whole = bytes == end && xml_is_between(parser);
+	}
+	if (parser->status)
 		*fault = parser->fault;
-	*whole = !parser->status && bytes == end && xml_is_between(parser);
 	return parser->status;
 }
 
