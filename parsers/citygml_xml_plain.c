@@ -9,7 +9,6 @@
 
 #include "citygml_numbers.h"
 #include "citygml_xml_parser.h"
-#include "newlines.h"
 #include "utf8.h"
 
 /* ---- bytes ------------------------------------------------------------------ */
@@ -376,7 +375,7 @@ xml_read_plain(struct xml_parser *parser, char *bytes, size_t length,
 	*walk.end = '\0';
 	*whole = element_walk(&walk);
 	*walk.end = behind;
-	parser->context->input->line += (int)newlines_count(bytes, length);
+	parser->context->input->line = (int)xml_line(parser);
 	parser->fed += length;
 	element->first = NULL;
 	if (!parser->status)

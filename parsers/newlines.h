@@ -8,13 +8,21 @@
 static inline uint64_t
 newlines_count(const char *at, size_t length)
 {
-	enum { BLOCK = 128 };
+	enum { BLOCK = 128, SMALL_BLOCK = 16 };
 	uint64_t count = 0;
 
 	for (; length >= BLOCK; at += BLOCK, length -= BLOCK) {
 		unsigned char some = 0;
 
 		for (int i = 0; i < BLOCK; i++)
+			some = (unsigned char)(some + (at[i] == '\n'));
+		count += some;
+	}
+	for (; length >= SMALL_BLOCK;
+		at += SMALL_BLOCK, length -= SMALL_BLOCK) {
+		unsigned char some = 0;
+
+		for (int i = 0; i < SMALL_BLOCK; i++)
 			some = (unsigned char)(some + (at[i] == '\n'));
 		count += some;
 	}
