@@ -39,6 +39,13 @@ axis_set(struct tcs_point *point, unsigned axis, double value)
 
 /* ---- the plane --------------------------------------------------------------- */
 
+/* What rounding of the coordinates may add to an area within `reach`. */
+static double
+area_noise(struct tcs_point origin, double reach)
+{
+	return 2e-15 * (reach + largest(origin)) * reach;
+}
+
 /*
  * Newell's normal, as the sum of the triangles from the first vertex. Where
  * they cancel, as in a figure of eight, rounding would decide: the largest of
@@ -68,7 +75,8 @@ ring_normal(const struct tcs_point *ring, size_t count, double *reach)
 		*reach = planar_larger(*reach, largest(here));
 		last = here;
 	}
-	if (largest(all) > 1e-6 * sum)
+	if (largest(all) > 1e-6 * sum &&
+		largest(all) > area_noise(ring[0], *reach))
 		return all;
 	return dot(all, most) < 0 ? minus((struct tcs_point){0, 0, 0}, most)
 				  : most;
@@ -107,7 +115,7 @@ plane_find(
 	n = ring_normal(ring, count, &reach);
 	if (!(reach < 1e75))
 		return "points too far apart";
-	plane->noise = 2e-15 * (reach + largest(ring[0])) * reach;
+	plane->noise = area_noise(ring[0], reach);
 	if (reach < 1e-75 || largest(n) <= plane->noise)
 		return "the outer ring has no area";
 	length = sqrt(dot(n, n));
