@@ -395,8 +395,39 @@ divide_components(struct matching *matching, struct tcs_fault *fault)
 
 /* ---- images -------------------------------------------------------------- */
 
+/* The component after of its own features that is nearest to the point, and
+   where on it; TCS_NONE. */
+struct shell {
+	uint32_t component, piece;
+};
+
+static struct shell
+nearest_shell(
+	const struct matching *matching, uint32_t root, struct tcs_point point)
+{
+	struct tree_hit hit = triangle_tree_nearest(
+		&matching->after->surfaces, root, point, INFINITY);
+
+	return (struct shell){matching->after->set.numbers.at[hit.item],
+		matching->match->numbers.at[hit.item]};
+}
+
+static bool
+is_within(const struct matching *matching, uint32_t root,
+	const struct component *shell, struct tcs_point point)
+{
+	const struct compare_side *after = matching->after;
+
+	return isfinite(triangle_tree_nearest(
+		       &after->surfaces, root, point, matching->eps)
+				.distance) ||
+		(shell->closed &&
+			triangle_tree_encloses(
+				&after->set.tree, shell->root, point));
+}
+
 /* Where its first corner went, if the surfaces of its own features pass by all
-   corners. */
+   corners, or a closed component of them encloses those that they do not. */
 static uint32_t
 find_cover(const struct matching *matching, uint32_t number)
 {
@@ -404,7 +435,7 @@ find_cover(const struct matching *matching, uint32_t number)
 	const struct compare_side *after = matching->after;
 	const struct component *component = &before->set.components.at[number];
 	const uint32_t *order = triangles_of(&before->set, component);
-	uint32_t cover = TCS_NONE;
+	struct shell shell = {TCS_NONE, TCS_NONE};
 
 	for (uint32_t i = 0; i < component->count; i++) {
 		uint32_t root = tree_for(before, order[i], after);
@@ -413,18 +444,15 @@ find_cover(const struct matching *matching, uint32_t number)
 
 		if (root == NO_TREE)
 			return TCS_NONE;
-		for (int k = 0; k < 3; k++) {
-			struct tree_hit hit =
-				triangle_tree_nearest(&after->surfaces, root,
-					shape.corner[k], matching->eps);
-
-			if (!isfinite(hit.distance))
+		if (shell.component == TCS_NONE)
+			shell = nearest_shell(matching, root, shape.corner[0]);
+		for (int k = 0; k < 3; k++)
+			if (!is_within(matching, root,
+				    &after->set.components.at[shell.component],
+				    shape.corner[k]))
 				return TCS_NONE;
-			if (cover == TCS_NONE)
-				cover = matching->match->numbers.at[hit.item];
-		}
 	}
-	return cover;
+	return shell.piece;
 }
 
 /* Images by counting: first[i] is where those of component i begin. */

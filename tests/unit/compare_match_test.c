@@ -147,6 +147,31 @@ parts_of_one_feature_that_become_one_are_there(void)
 	CHECK(is(out.kept, 1) && is(out.contacts_lost, 0));
 }
 
+/* Two leaves become a panel, with the pane between them or behind. */
+static void
+a_part_inside_a_solid_of_its_feature_is_there(void)
+{
+	static const double panes[][2] = {{0.1, 0}, {0.3, 1}}; /* y, lost */
+	struct tcs_object a = {0}, b = {0};
+	struct outcome out;
+
+	for (int i = 0; i < 2; i++) {
+		double y = panes[i][0];
+
+		begin(&a);
+		put_box(&a, 1, (double[]){0, 0, 0}, (double[]){1, 0.05, 1});
+		put_box(&a, 1, (double[]){0.1, y, 0.1},
+			(double[]){0.9, y + 0.02, 0.9});
+		put_box(&a, 1, (double[]){0, 0.15, 0}, (double[]){1, 0.2, 1});
+		begin(&b);
+		put_box(&b, 1, (double[]){0, 0, 0}, (double[]){1, 0.2, 1});
+		out = compare(&a, &b);
+		CHECK(is(out.before, 3) && is(out.lost, panes[i][1]));
+	}
+	object_release(&a);
+	object_release(&b);
+}
+
 static void
 a_part_of_one_feature_that_is_gone_is_lost(void)
 {
@@ -397,6 +422,7 @@ main(void)
 {
 	static const struct check_test tests[] = {
 		CHECK_TEST(parts_of_one_feature_that_become_one_are_there),
+		CHECK_TEST(a_part_inside_a_solid_of_its_feature_is_there),
 		CHECK_TEST(a_part_of_one_feature_that_is_gone_is_lost),
 		CHECK_TEST(a_part_may_become_two),
 		CHECK_TEST(a_part_may_become_one_and_a_region_of_another),
