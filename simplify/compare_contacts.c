@@ -14,6 +14,7 @@ struct judge {
 	const struct compare_match *match;
 	double eps;
 	bool *still; /* per component before: moved by half an eps at most */
+	bool *crushed; /* per component before: hardly anything is left */
 };
 
 static const struct match_piece *
@@ -137,13 +138,17 @@ count_verdicts(const struct verdicts *verdicts, struct compare_metrics *metrics,
 	static const enum compare_metric counts[] = {COMPARE_CONTACTS_KEPT,
 		COMPARE_CONTACTS_SEPARATED, COMPARE_CONTACTS_HALF_OPEN,
 		COMPARE_CONTACTS_LOST};
-	size_t count = verdicts->judge->before->contacts.count;
+	const struct judge *judge = verdicts->judge;
+	size_t count = judge->before->contacts.count;
 
 	metrics->at[COMPARE_CONTACTS_BEFORE] = (double)count;
 	for (size_t i = 0; i < count; i++) {
 		struct broken_contact found = verdicts->at[i];
 
 		metrics->at[counts[found.state]]++;
+		metrics->at[COMPARE_CONTACTS_CRUSHED] +=
+			found.state != CONTACT_LOST &&
+			(judge->crushed[found.a] || judge->crushed[found.b]);
 		if (found.state == CONTACT_KEPT)
 			continue;
 		if (found.state == CONTACT_SEPARATED)
@@ -284,9 +289,9 @@ judge_components(const struct judge *judge, struct compare_metrics *metrics)
 			metrics->at[COMPARE_COMPONENTS_LOST]++;
 		if (!images.count || judge->match->swallowed.at[i])
 			continue;
-		metrics->at[COMPARE_COMPONENTS_CRUSHED] +=
-			10 * left.area < own->area ||
+		judge->crushed[i] = 10 * left.area < own->area ||
 			(solid && 10 * fabs(left.volume) < fabs(own->volume));
+		metrics->at[COMPARE_COMPONENTS_CRUSHED] += judge->crushed[i];
 		metrics->at[COMPARE_COMPONENTS_FLIPPED] +=
 			solid && left.volume * own->volume < 0;
 	}
@@ -300,22 +305,26 @@ compare_contacts(const struct compare_side *before, struct compare_side *after,
 {
 	size_t count = before->set.components.count;
 	struct judge judge = {before, after, match, eps,
-		calloc(count + 1, sizeof *judge.still)};
-	enum tcs_status status;
+		calloc(count + 1, sizeof *judge.still),
+		calloc(count + 1, sizeof *judge.crushed)};
+	enum tcs_status status = TCS_OK;
 
 	broken->count = 0;
-	if (!judge.still)
-		return fault_memory(fault);
-	status = contacts_find(&after->set, 2 * eps, &after->contacts, fault);
+	if (!judge.still || !judge.crushed)
+		status = fault_memory(fault);
+	else
+		judge_components(&judge, metrics);
+	if (!status)
+		status = contacts_find(
+			&after->set, 2 * eps, &after->contacts, fault);
 	if (!status)
 		status = split_work(count, COMPONENTS_AT_ONCE, before->set.jobs,
 			find_still, &judge, fault);
 	if (!status)
 		status = judge_contacts(&judge, metrics, broken, fault);
-	free(judge.still);
 	if (!status)
 		status = judge_floating(&judge, metrics, fault);
-	if (!status)
-		judge_components(&judge, metrics);
+	free(judge.still);
+	free(judge.crushed);
 	return status;
 }

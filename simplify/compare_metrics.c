@@ -187,10 +187,10 @@ metrics_print(const struct compare_metrics *m, FILE *to)
 		at[COMPARE_COMPONENTS_FLIPPED]);
 	fprintf(to,
 		"  contacts    %.0f: %.0f kept, %.0f separated, %.0f half-open,"
-		" %.0f lost\n",
+		" %.0f lost; %.0f with a crushed side\n",
 		at[COMPARE_CONTACTS_BEFORE], at[COMPARE_CONTACTS_KEPT],
 		at[COMPARE_CONTACTS_SEPARATED], at[COMPARE_CONTACTS_HALF_OPEN],
-		at[COMPARE_CONTACTS_LOST]);
+		at[COMPARE_CONTACTS_LOST], at[COMPARE_CONTACTS_CRUSHED]);
 	if (at[COMPARE_GAP_MAX] > 0)
 		fprintf(to, "  widest gap  %.6f m\n", at[COMPARE_GAP_MAX]);
 	fprintf(to, "  surfaces    %.0f: %.0f lost\n",

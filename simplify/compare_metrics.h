@@ -29,6 +29,7 @@
 	X(CONTACTS_SEPARATED, "contacts_separated", 0, SUM) \
 	X(CONTACTS_HALF_OPEN, "contacts_half_open", 0, SUM) \
 	X(CONTACTS_LOST, "contacts_lost", 0, SUM) \
+	X(CONTACTS_CRUSHED, "contacts_crushed", 0, SUM) \
 	X(GAP_MAX, "gap_max", 6, MAX) \
 	X(SURFACES_BEFORE, "surfaces_before", 0, SUM) \
 	X(SURFACES_LOST, "surfaces_lost", 0, SUM) \

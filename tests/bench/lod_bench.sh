@@ -10,8 +10,8 @@
 # components that share no vertex.
 #
 # Columns, per cent unless said: the rate reached; of the contacts, those apart,
-# lost and ajar (half-open), and of those of which both sides can be seen from
-# outside, those apart or lost; of the components, those gone; components that
+# lost, squashed (a side crushed) and ajar (half-open), and of those of which both
+# sides can be seen from outside, those apart or lost; of the components, those gone; components that
 # float; the Hausdorff distance and the mean distance by the diagonal; of the
 # pixels, those that show only one of both models; seconds of CPU time. The
 # tables add up contacts and components, take the mean over the buildings of
@@ -67,7 +67,7 @@ is_large() {
 
 # What tcs-compare says, as numbers: rate, contacts, apart, lost, ajar, seen,
 # broken, components, gone, floating, objects, sums of Hausdorff and mean
-# distances by the diagonal, pixels of one model only.
+# distances by the diagonal, pixels of one model only, contacts squashed.
 # shellcheck disable=SC2016 # a variable of jq
 numbers='[.objects[] | select(.contacts_before > 0)] as $own | .all |
 	[100 * .rate, .contacts_before, .contacts_separated, .contacts_lost,
@@ -78,21 +78,22 @@ numbers='[.objects[] | select(.contacts_before > 0)] as $own | .all |
 		.distance_back_max // .diagonal] | max) / .diagonal] | add // 0),
 	([$own[] | 100 * (.distance_mean // .diagonal) / .diagonal] |
 		add // 0),
-	100 - .pixels_hit_share] | @tsv'
+	100 - .pixels_hit_share, .contacts_crushed] | @tsv'
 
 # Lines of files or sums of them: method, rate, files, and the numbers above.
 # shellcheck disable=SC2016 # fields of awk
 show='function mean(sum, of) { return of > 0 ? sum / of : 0 }
 	function share(part, of) { return mean(100 * part, of) }
-	{ printf "%-14s %3s %5s %5.1f %6.2f %6.2f %6.2f %6.2f %5.1f %5d " \
+	{ printf "%-14s %3s %5s %5.1f %6.2f %6.2f %6.2f %6.2f %6.2f %5.1f %5d " \
 		"%6.2f %7.4f %6.3f %8.2f\n", $1, $2, $3, $4, share($6, $5),
-		share($7, $5), share($8, $5), share($10, $9), share($12, $11),
-		$13, mean($15, $14), mean($16, $14), $17, $18 }'
+		share($7, $5), share($18, $5), share($8, $5), share($10, $9),
+		share($12, $11), $13, mean($15, $14), mean($16, $14), $17,
+		$19 }'
 
 heading() {
-	printf '%-14s %3s %5s %5s %6s %6s %6s %6s %5s %5s %6s %7s %6s %8s\n' \
-		method % files rate apart lost ajar seen gone float far mean \
-		hit CPU
+	printf '%-14s %3s %5s %5s %6s %6s %6s %6s %6s %5s %5s %6s %7s %6s %8s\n' \
+		method % files rate apart lost squash ajar seen gone float \
+		far mean hit CPU
 }
 
 # measure METHOD RATE: add a line to $folder/wide and to $folder/narrow.
@@ -143,7 +144,7 @@ add_up() {
 			next
 		files[$1, $2]++
 		rate[$1, $2] += $4
-		for (i = 5; i <= 18; i++)
+		for (i = 5; i <= 19; i++)
 			sum[$1, $2, i] += $i
 	}
 	END {
@@ -153,7 +154,7 @@ add_up() {
 			printf "%s\t%d\t%.3f", order[i], n,
 				rate[key[1], key[2]] / (n ? n : 1)
 			sum[key[1], key[2], 17] /= n ? n : 1
-			for (k = 5; k <= 18; k++)
+			for (k = 5; k <= 19; k++)
 				printf "\t%.9g", sum[key[1], key[2], k]
 			print ""
 		}
