@@ -1,5 +1,5 @@
 /*
- * Elements of tags and text and nothing else, as nearly all of a city's are:
+ * Elements of tags and text and little else, as nearly all of a city's are:
  * read without libxml2, which would take three times as long. What is not as
  * plain, or not well-formed, is left to it, so that nothing is judged here.
  *
@@ -15,7 +15,8 @@
 
 /* What the bytes of an element are, all together. */
 struct byte_kinds {
-	bool special; /* control characters, references, the end of CDATA */
+	bool special; /* control characters, the end of CDATA */
+	bool references;
 	bool returns; /* carriage returns */
 	bool foreign; /* beyond ASCII */
 };
@@ -23,6 +24,7 @@ struct byte_kinds {
 enum {
 	KIND_SPECIAL = 1,
 	KIND_RETURN = 2,
+	KIND_REFERENCE = 4,
 	KIND_FOREIGN = 0x80,
 };
 
@@ -31,10 +33,11 @@ kind_of(unsigned char byte)
 {
 	unsigned char special =
 		(byte < ' ' && byte != '\n' && byte != '\t' && byte != '\r') ||
-		byte == '&' || byte == ']';
+		byte == ']';
 
 	return (unsigned char)(special * KIND_SPECIAL |
-		(byte == '\r') * KIND_RETURN | (byte & KIND_FOREIGN));
+		(byte == '\r') * KIND_RETURN | (byte == '&') * KIND_REFERENCE |
+		(byte & KIND_FOREIGN));
 }
 
 /* The inner loop compiles to vector instructions. */
@@ -51,6 +54,7 @@ kinds_of(const char *at, size_t length)
 		all |= kind_of((unsigned char)*at);
 	return (struct byte_kinds){
 		.special = all & KIND_SPECIAL,
+		.references = all & KIND_REFERENCE,
 		.returns = all & KIND_RETURN,
 		.foreign = all & KIND_FOREIGN,
 	};
@@ -67,6 +71,45 @@ are_characters(const char *at, size_t length)
 	for (; (at = memchr(at, '\xef', (size_t)(end - at))); at++)
 		if (at[1] == '\xbf' && (unsigned char)at[2] >= 0xbe)
 			return false;
+	return true;
+}
+
+/* ---- references ----------------------------------------------------------------- */
+
+/* The predefined one that begins with the '&'; NULL: it is another. */
+static const char *
+reference_read(const char *at, size_t length, size_t *behind)
+{
+	static const char *const known[] = {
+		"&&amp;", "<&lt;", ">&gt;", "\"&quot;", "'&apos;"};
+
+	for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+		*behind = strlen(known[i] + 1);
+		if (*behind <= length && !memcmp(at, known[i] + 1, *behind))
+			return known[i];
+	}
+	return NULL;
+}
+
+/* Whether all are predefined, and none, by the looks of it, in a tag. */
+static bool
+are_references(const char *at, size_t length)
+{
+	const char *end = at + length, *seen = at;
+	bool in_tag = false;
+
+	while ((at = memchr(seen, '&', (size_t)(end - seen)))) {
+		const char *mark = at;
+		size_t behind;
+
+		while (mark > seen && *mark != '<' && *mark != '>')
+			mark--;
+		if (*mark == '<' || *mark == '>')
+			in_tag = *mark == '<';
+		if (in_tag || !reference_read(at, (size_t)(end - at), &behind))
+			return false;
+		seen = at + behind;
+	}
 	return true;
 }
 
@@ -149,6 +192,7 @@ struct walk {
 	char *at;
 	char *end;
 	bool returns; /* there are carriage returns */
+	bool references;
 };
 
 enum { MOST_ATTRIBUTES = 32 }; /* of a plain tag */
@@ -168,7 +212,8 @@ value_end(char *at)
 
 	if (quote != '"' && quote != '\'')
 		return NULL;
-	while (*at != quote && (unsigned char)*at >= ' ' && *at != '<')
+	while (*at != quote && (unsigned char)*at >= ' ' && *at != '<' &&
+		*at != '&')
 		at++;
 	return *at == quote ? at : NULL;
 }
@@ -302,11 +347,12 @@ end_walk(struct walk *walk)
 
 /* A line's end of two characters is one; a return alone is too rare. */
 static bool
-lines_walk(struct walk *walk, const char *end)
+lines_walk(struct walk *walk, const char *at, const char *end)
 {
-	const char *at = walk->at, *line_end;
+	const char *line_end;
 
-	while ((line_end = memchr(at, '\r', (size_t)(end - at)))) {
+	while (walk->returns &&
+		(line_end = memchr(at, '\r', (size_t)(end - at)))) {
 		if (line_end[1] != '\n')
 			return false;
 		if (line_end > at)
@@ -314,8 +360,29 @@ lines_walk(struct walk *walk, const char *end)
 				walk->parser, at, (size_t)(line_end - at));
 		at = line_end + 1;
 	}
-	xml_characters(walk->parser, at, (size_t)(end - at));
+	if (end > at)
+		xml_characters(walk->parser, at, (size_t)(end - at));
 	return true;
+}
+
+/* Text with references up to the next tag. */
+static bool
+references_walk(struct walk *walk, const char *end)
+{
+	const char *at = walk->at, *mark;
+
+	while (walk->references &&
+		(mark = memchr(at, '&', (size_t)(end - at)))) {
+		size_t behind;
+		const char *meant =
+			reference_read(mark, (size_t)(end - mark), &behind);
+
+		if (!meant || !lines_walk(walk, at, mark))
+			return false;
+		xml_characters(walk->parser, meant, 1);
+		at = mark + behind;
+	}
+	return lines_walk(walk, at, end);
 }
 
 static bool
@@ -326,11 +393,11 @@ text_walk(struct walk *walk)
 	if (!end)
 		return false;
 	walk->parser->plain.at = end;
-	if (walk->returns && !lines_walk(walk, end))
-		return false;
-	if (!walk->returns)
+	if (!walk->returns && !walk->references)
 		xml_characters(
 			walk->parser, walk->at, (size_t)(end - walk->at));
+	else if (!references_walk(walk, end))
+		return false;
 	walk->at = end;
 	return true;
 }
@@ -358,12 +425,14 @@ xml_read_plain(struct xml_parser *parser, char *bytes, size_t length,
 	bool *plain, bool *whole)
 {
 	const struct byte_kinds kinds = kinds_of(bytes, length);
-	struct walk walk = {parser, bytes, bytes + length, kinds.returns};
+	struct walk walk = {
+		parser, bytes, bytes + length, kinds.returns, kinds.references};
 	struct plain_element *element = &parser->plain;
 	const char behind = *walk.end;
 
 	*whole = false;
 	*plain = !kinds.special &&
+		(!kinds.references || are_references(bytes, length)) &&
 		(!kinds.foreign ||
 			(parser->context->charset == XML_CHAR_ENCODING_UTF8 &&
 				are_characters(bytes, length)));

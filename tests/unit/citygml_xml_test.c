@@ -127,6 +127,18 @@ lines_end_in_one_character(void)
 }
 
 static void
+references_are_what_they_mean(void)
+{
+	CHECK(is_heard_as(
+		"<a>&amp;&lt;b&gt;\r\n&quot;&apos;</a>", "<a&<b>\n\"'>"));
+	CHECK(is_heard_as("<a><b/>&amp;amp;</a>", "<a<b>&amp;>"));
+	CHECK(is_heard_as("<a>1&#233;&amp;</a>", "<a1\xc3\xa9&>"));
+	CHECK(is_refused("<a>&amp</a>"));
+	CHECK(is_refused("<a>& amp;</a>"));
+	CHECK(is_refused("<a &amp;='1'/>"));
+}
+
+static void
 what_is_not_plain_is_heard_too(void)
 {
 	CHECK(is_heard_as("<a b='&lt;'>&amp;<!-- c --><![CDATA[<d>]]></a>",
@@ -194,6 +206,7 @@ places_are_those_of_the_document(void)
 static const struct check_test tests[] = {
 	CHECK_TEST(tags_values_and_text_are_heard),
 	CHECK_TEST(lines_end_in_one_character),
+	CHECK_TEST(references_are_what_they_mean),
 	CHECK_TEST(what_is_not_plain_is_heard_too),
 	CHECK_TEST(what_is_not_well_formed_is_refused),
 	CHECK_TEST(what_is_not_one_element_is_refused),
