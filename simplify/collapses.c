@@ -286,12 +286,26 @@ try_first(struct collapses *work, struct tcs_fault *fault)
 				  : judge_again(work, first.node, fault);
 }
 
+/* Unless that is done. */
+static enum tcs_status
+judge_all(struct collapses *work, struct tcs_fault *fault)
+{
+	enum tcs_status status = TCS_OK;
+
+	if (!work->is_stale)
+		return TCS_OK;
+	for (uint32_t i = 0; !status && i < work->sheets->node_count; i++)
+		status = collapses_judge(work, i, fault);
+	work->is_stale = status != TCS_OK;
+	return status;
+}
+
 enum tcs_status
 collapses_run(struct collapses *work, size_t faces, double dearest,
 	struct tcs_fault *fault)
 {
 	const struct queue_entry *first;
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status = judge_all(work, fault);
 
 	work->wants_worths = false;
 	while (!status && !work->wants_worths && work->face_count > faces &&
@@ -301,16 +315,12 @@ collapses_run(struct collapses *work, size_t faces, double dearest,
 	return status;
 }
 
-enum tcs_status
-collapses_resume(struct collapses *work,
-	const struct collapse_settings *settings, struct tcs_fault *fault)
+void
+collapses_resume(
+	struct collapses *work, const struct collapse_settings *settings)
 {
-	enum tcs_status status = TCS_OK;
-
 	work->settings = *settings;
-	for (uint32_t i = 0; !status && i < work->sheets->node_count; i++)
-		status = collapses_judge(work, i, fault);
-	return status;
+	work->is_stale = true;
 }
 
 enum tcs_status
@@ -360,9 +370,9 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 		status = placement_begin(work, fault);
 	if (status)
 		return status;
+	collapses_resume(work, settings);
 	collapses_weigh(work);
-	status = collapses_weigh_borders(work, fault);
-	return status ? status : collapses_resume(work, settings, fault);
+	return collapses_weigh_borders(work, fault);
 }
 
 /* Take one face away; its nodes are appended to those touched. */

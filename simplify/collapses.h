@@ -76,6 +76,7 @@ struct collapses {
 	/* Per contact: for how many it counts; empty until it matters. */
 	TCS_ARRAY(float) worths;
 	bool wants_worths; /* collapses_run cannot go on without */
+	bool is_stale; /* no node is judged under these settings */
 	double ground; /* what is no higher stands on it, and goes no higher */
 	struct error_watch watch;
 	struct crossing_watch crossings;
@@ -114,11 +115,10 @@ enum tcs_status collapses_begin(struct collapses *work,
 enum tcs_status collapses_run(struct collapses *work, size_t faces,
 	double dearest, struct tcs_fault *fault) TCS_CHECKED;
 
-/* Go on under other settings: every node is judged anew. Fails with
-   TCS_NO_MEMORY. */
-enum tcs_status collapses_resume(struct collapses *work,
-	const struct collapse_settings *settings,
-	struct tcs_fault *fault) TCS_CHECKED;
+/* Go on under other settings: the next collapses_run judges every node
+   anew. */
+void collapses_resume(
+	struct collapses *work, const struct collapse_settings *settings);
 
 /*
  * Give the faces of feature i to feature homes[i]: borders between surfaces

@@ -73,13 +73,12 @@ dissolve_openings(struct object_simplifier *simplifier, size_t count, bool *any,
 	struct tcs_fault *fault)
 {
 	struct collapses *work = &simplifier->collapses;
-	enum tcs_status status;
 
 	*any = openings_dissolve(&simplifier->openings, count);
 	if (!*any)
 		return TCS_OK;
-	status = collapses_dissolve(work, simplifier->openings.homes.at, fault);
-	return status ? status : collapses_resume(work, &work->settings, fault);
+	collapses_resume(work, &work->settings);
+	return collapses_dissolve(work, simplifier->openings.homes.at, fault);
 }
 
 /* What nothing may cost: the shape of a square as wide as a fifth of the
@@ -133,19 +132,17 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 }
 
 /* Whether contacts may break, at a price, from now on. */
-static enum tcs_status
-let_break(
-	struct object_simplifier *simplifier, bool may, struct tcs_fault *fault)
+static void
+let_break(struct object_simplifier *simplifier, bool may)
 {
 	struct collapses *work = &simplifier->collapses;
 	struct collapse_settings settings = work->settings;
 
 	settings.contact_cost =
 		may ? contact_cost(&simplifier->source.set) : INFINITY;
-	if ((settings.contact_cost < INFINITY) ==
+	if ((settings.contact_cost < INFINITY) !=
 		(work->settings.contact_cost < INFINITY))
-		return TCS_OK;
-	return collapses_resume(work, &settings, fault);
+		collapses_resume(work, &settings);
 }
 
 /* Collapse down to a level: so that all holds, or, if a number of triangles is
@@ -163,10 +160,7 @@ reach_level(struct object_simplifier *simplifier,
 		status = dissolve_openings(simplifier, SIZE_MAX, &any, fault);
 	if (status)
 		return status;
-	status = let_break(
-		simplifier, level->budget.kind != BUDGET_ERROR, fault);
-	if (status)
-		return status;
+	let_break(simplifier, level->budget.kind != BUDGET_ERROR);
 	if (level->budget.kind == BUDGET_ERROR)
 		return collapses_run(work, 0, INFINITY, fault);
 	return reach_target(simplifier, target, fault);
