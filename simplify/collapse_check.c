@@ -517,8 +517,10 @@ collapse_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 				work->positions.at[target]);
 	faces = half_edges_collapse(work->mesh, half_edge, gone);
 	work->face_count -= faces;
-	for (size_t i = 0; i < faces; i++)
+	for (size_t i = 0; i < faces; i++) {
 		work->surfaces.at[work->features.at[gone[i]]]--;
+		crossing_watch_drop(work, gone[i]);
+	}
 	return TCS_OK;
 }
 

@@ -389,6 +389,7 @@ take_face_away(struct collapses *work, uint32_t face)
 	while (seams->faces.at[face] != TCS_NONE)
 		seams_open(seams, seams->faces.at[face] / 2);
 	work->surfaces.at[work->features.at[face]]--;
+	crossing_watch_drop(work, face);
 	work->face_count--;
 }
 

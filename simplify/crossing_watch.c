@@ -51,6 +51,13 @@ crossing_watch_follow(
 		work->crossings.places.at[face], place);
 }
 
+void
+crossing_watch_drop(struct collapses *work, uint32_t face)
+{
+	face_boxes_drop(&work->seams->boxes, component_of(work, face),
+		work->crossings.places.at[face]);
+}
+
 /* ---- what needs no look -------------------------------------------------- */
 
 /* Whether a face is, and stays, in the plane that it came with. */

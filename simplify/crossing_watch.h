@@ -10,7 +10,7 @@
  * leaves the same surface and needs no look.
  *
  * The boxes by which near faces are found are those of the seams: they grow
- * with their faces, and nothing shrinks. A half-edge collapse puts no face
+ * with their faces, and go with them. A half-edge collapse puts no face
  * outside of its component's box, so those boxes stay as they were.
  */
 #ifndef TESSERA_CROSSING_WATCH_H
@@ -49,6 +49,9 @@ enum tcs_status crossing_watch_admits(struct collapses *work,
 /* A face gets a corner there. */
 void crossing_watch_follow(
 	struct collapses *work, uint32_t face, struct tcs_point place);
+
+/* A face is gone. One that comes back is followed from nothing. */
+void crossing_watch_drop(struct collapses *work, uint32_t face);
 
 void crossing_watch_release(struct crossing_watch *watch);
 

@@ -317,6 +317,17 @@ face_boxes_grow(struct face_boxes *boxes, uint32_t number, uint32_t place,
 	}
 }
 
+void
+face_boxes_drop(struct face_boxes *boxes, uint32_t number, uint32_t place)
+{
+	const struct face_run *run = &boxes->runs.at[number];
+	const struct float_box nothing = {{INFINITY, INFINITY, INFINITY},
+		{-INFINITY, -INFINITY, -INFINITY}};
+
+	block_put(&boxes->blocks.at[run->first_block + place / BLOCK_BOXES],
+		place % BLOCK_BOXES, &nothing);
+}
+
 /* ---- what is near -------------------------------------------------------- */
 
 /* A block, counted within its level. */

@@ -131,6 +131,9 @@ enum tcs_status face_boxes_add(struct face_boxes *boxes, const uint32_t *faces,
 void face_boxes_grow(struct face_boxes *boxes, uint32_t run, uint32_t place,
 	struct tcs_point point);
 
+/* That face is gone: its box meets nothing until it grows again. */
+void face_boxes_drop(struct face_boxes *boxes, uint32_t run, uint32_t place);
+
 void face_boxes_clear(struct face_boxes *boxes);
 
 /* List the faces of a run whose boxes meet `box`, always in the same order.

@@ -87,6 +87,8 @@ shape_of(const struct collapses *work, const uint32_t *corners)
 static void
 move_faces(struct collapses *work, const struct refill *refill)
 {
+	for (size_t i = 0; i < refill->face_count; i++)
+		crossing_watch_drop(work, refill->faces[i]);
 	for (size_t i = 0; i < refill->count; i++) {
 		struct triangle_shape shape =
 			shape_of(work, refill->corners + 3 * i);

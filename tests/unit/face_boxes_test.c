@@ -51,8 +51,33 @@ a_box_that_grows_is_found_where_it_is_then(void)
 	face_boxes_release(&boxes);
 }
 
+static void
+a_box_that_is_dropped_is_found_where_it_grows_again(void)
+{
+	struct face_boxes boxes = {0};
+	struct float_box own[FACES];
+	uint32_t faces[FACES], face, place = 0;
+	struct tcs_fault fault;
+
+	for (uint32_t i = 0; i < FACES; i++) {
+		faces[i] = i;
+		own[i] = box_at(i);
+	}
+	CHECK(!face_boxes_add(&boxes, faces, own, FACES, &fault));
+	while (boxes.faces.at[place] != 500)
+		place++;
+	face_boxes_drop(&boxes, 0, place);
+	CHECK(count_near(&boxes, 500, &face) == 0);
+	CHECK(count_near(&boxes, 501, &face) == 1 && face == 501);
+	face_boxes_grow(&boxes, 0, place, (struct tcs_point){700.2, 0.2, 0.2});
+	CHECK(count_near(&boxes, 500, &face) == 0);
+	CHECK(count_near(&boxes, 700, &face) == 2);
+	face_boxes_release(&boxes);
+}
+
 static const struct check_test tests[] = {
 	CHECK_TEST(a_box_that_grows_is_found_where_it_is_then),
+	CHECK_TEST(a_box_that_is_dropped_is_found_where_it_grows_again),
 	{0},
 };
 
