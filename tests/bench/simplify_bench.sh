@@ -1,9 +1,14 @@
 #!/bin/bash
-# What simplifying by a half costs on one core, in seconds of CPU time: the
-# whole of tcs-simplify, from stream to stream, beside what libraries take for
-# their collapses alone (BENCH=lod and BENCH=simplify build them); then objects of more
-# and more triangles, with the bytes of memory that each triangle of the object
-# takes at the peak, the stream's own included. The least of some runs in turn.
+# What simplifying by a half costs on one core, in seconds of CPU time, every
+# building an object of its own and simplified by itself: the whole of
+# tcs-simplify, from stream to stream; the same without reading and writing the
+# stream (simplify_bare); and what libraries take from a mesh of welded
+# components to one of fewer triangles (BENCH=lod and BENCH=simplify build
+# them). The second is what to compare these with, though it also finds the
+# components and what they touch, and gives every triangle its surface and
+# polygon. Then objects of more and more triangles, with the bytes of memory
+# that each triangle of the object takes at the peak, the stream's own included.
+# The least of some runs in turn.
 #
 #     ROUNDS=5  BUILDINGS=40  SIZES="24 250"  PEERS="..."  FILES="a.ifc ..."
 set -eu
@@ -36,6 +41,12 @@ def ours():
         count = json.load(stats)["counts"]["triangles before"]
     return used.ru_utime + used.ru_stime
 
+def alone():
+    with open(stream, "rb") as source:
+        return float(subprocess.run([os.environ["BUILD"] +
+            "/tests/bench/simplify_bare", "0.5"], stdin=source,
+            stdout=subprocess.PIPE, check=True).stdout)
+
 def other(name):
     with open(stream, "rb") as source, open(os.devnull, "w") as sink:
         return float(subprocess.run([os.environ["BUILD"] +
@@ -43,18 +54,21 @@ def other(name):
             "--seconds"], stdin=source, stdout=sink, stderr=subprocess.PIPE,
             check=True).stderr)
 
+whole, bare = "tcs-simplify", "without stream"
 for _ in range(rounds):
-    for name in ["tcs-simplify"] + peers:
-        taken = other(name) if name in peers else ours()
+    for name in [whole, bare] + peers:
+        taken = (ours() if name == whole else alone() if name == bare
+            else other(name))
         best[name] = min(taken, best.get(name, taken))
 for name, seconds in best.items():
     line = "  %-14s %8.3f s %7.2f Mtri/s" % (name, seconds,
         count / seconds / 1e6)
     if name in peers:
-        line += "   takes %5.2f x ours" % (seconds / best["tcs-simplify"])
-    else:
-        line += "   %d triangles, %.0f bytes a triangle in all" % (count,
-            peak / count)
+        line += "   takes %5.2f x, without stream %5.2f x ours" % (
+            seconds / best[whole], seconds / best[bare])
+    elif name == whole:
+        line += "   %d triangles, %.2f us and %.0f bytes each" % (count,
+            1e6 * seconds / count, peak / count)
     print(line)
 PYTHON
 
