@@ -47,8 +47,9 @@ void
 crossing_watch_follow(
 	struct collapses *work, uint32_t face, struct tcs_point place)
 {
-	face_boxes_grow(&work->seams->boxes, component_of(work, face),
-		work->crossings.places.at[face], place);
+	if (work->crossings.places.count > 0)
+		face_boxes_grow(&work->seams->boxes, component_of(work, face),
+			work->crossings.places.at[face], place);
 }
 
 void

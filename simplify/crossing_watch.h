@@ -46,7 +46,7 @@ enum tcs_status crossing_watch_admits(struct collapses *work,
 	const struct refill *refill, bool *fine,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/* A face gets a corner there. */
+/* A face gets a corner there; nothing to a watch that is released. */
 void crossing_watch_follow(
 	struct collapses *work, uint32_t face, struct tcs_point place);
 

@@ -17,6 +17,17 @@
 #define WIDEST 0.2
 #define FARTHEST_OFF 0.1
 
+/* Give back what only looking at the mesh as it came takes. */
+static void
+release_what_prepares(struct object_simplifier *simplifier,
+	const struct simplify_settings *settings)
+{
+	for (size_t i = 0; i < settings->level_count; i++)
+		if (settings->levels[i].budget.kind == BUDGET_STRUCTURE)
+			return;
+	array_trim(&simplifier->sheets.opposites);
+}
+
 static enum tcs_status
 prepare(struct object_simplifier *simplifier,
 	const struct simplify_settings *settings, const struct tcs_object *in,
@@ -62,6 +73,8 @@ prepare(struct object_simplifier *simplifier,
 	if (!status)
 		status = handles_find(&simplifier->handles,
 			&simplifier->collapses, &simplifier->removals, fault);
+	if (!status)
+		release_what_prepares(simplifier, settings);
 	return status;
 }
 
@@ -279,7 +292,6 @@ static void
 release_what_collapses(struct object_simplifier *simplifier)
 {
 	seams_release(&simplifier->seams);
-	overlaps_release(&simplifier->overlaps);
 	removals_release(&simplifier->removals);
 	handles_release(&simplifier->handles);
 	collapses_end(&simplifier->collapses);
@@ -293,23 +305,26 @@ make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	struct tcs_fault *fault)
 {
 	struct collapses *work = &simplifier->collapses;
+	bool done = last && simplifier->source.set.triangles.count > LARGE;
 	size_t target;
 	enum tcs_status status =
 		face_budget_find(&level->budget, work, &target, fault);
 
 	if (!status)
 		status = reach_level(simplifier, level, target, fault);
+	if (done)
+		release_what_collapses(simplifier);
 	if (!status)
 		status = overlaps_part(&simplifier->overlaps, work, fault);
 	if (!status)
 		status = report_add(report, "overlaps parted",
 			simplifier->overlaps.parted, fault);
+	if (done)
+		overlaps_release(&simplifier->overlaps);
 	if (!status)
 		status = report_add(report, "holes closed",
 			simplifier->handles.closed, fault);
 	simplifier->handles.closed = 0;
-	if (last && simplifier->source.set.triangles.count > LARGE)
-		release_what_collapses(simplifier);
 	if (!status)
 		status = write_level(simplifier, in, level, fault);
 	if (!status)

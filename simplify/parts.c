@@ -238,6 +238,7 @@ sort_links(struct search *search)
 	for (size_t i = 0; i < parts->count; i++)
 		parts->at.at[i].first_link = parts->at.at[i + 1].first_link;
 	parts->at.at[parts->count].first_link = (uint32_t)parts->pairs.count;
+	array_trim(&parts->pairs);
 	return TCS_OK;
 }
 
