@@ -6,6 +6,7 @@ enum {
 	NATURAL_ORDER = 64, /* faces that are left in the order they have */
 	MAX_LEVELS = 11, /* 8^11 faces are more than there are */
 	CURVE_BITS = 10, /* of a place along each axis */
+	MOST_EXTRACTED = 64, /* faces that are copied */
 };
 
 /* ---- blocks -------------------------------------------------------------- */
@@ -358,6 +359,16 @@ walk_begin(struct block_walk *walk, const struct face_run *run)
 	walk->height = 1;
 }
 
+/* Go on with the blocks below one that the bits tell. */
+static inline void
+walk_down(struct block_walk *walk, struct block_place at, unsigned bits)
+{
+	for (uint32_t i = BLOCK_BOXES * at.number; bits; bits >>= 1, i++)
+		if (bits & 1)
+			walk->stack[walk->height++] =
+				(struct block_place){at.level - 1, i};
+}
+
 enum tcs_status
 face_boxes_near(const struct face_boxes *boxes, uint32_t number,
 	const struct float_box *box, struct face_list *out,
@@ -380,16 +391,104 @@ face_boxes_near(const struct face_boxes *boxes, uint32_t number,
 
 		if (array_grow(out, BLOCK_BOXES))
 			return fault_memory(fault);
-		for (uint32_t i = BLOCK_BOXES * at.number; bits;
-			bits >>= 1, i++) {
-			if (!(bits & 1))
-				continue;
-			if (at.level)
-				walk.stack[walk.height++] =
-					(struct block_place){at.level - 1, i};
-			else
-				out->at[out->count++] = faces[i];
+		if (at.level) {
+			walk_down(&walk, at, bits);
+			continue;
 		}
+		for (uint32_t i = BLOCK_BOXES * at.number; bits;
+			bits >>= 1, i++)
+			if (bits & 1)
+				out->at[out->count++] = faces[i];
 	}
 	return TCS_OK;
+}
+
+/* ---- extracts ------------------------------------------------------------ */
+
+/* Put the boxes of a block that the bits tell behind those extracted. */
+static void
+extract_boxes(struct face_extract *extract, const struct box_block *block,
+	unsigned bits, const uint32_t *faces)
+{
+	for (size_t i = 0; bits; bits >>= 1, i++) {
+		size_t place = extract->faces.count;
+		struct box_block *to;
+
+		if (!(bits & 1))
+			continue;
+		to = &extract->blocks.at[place / BLOCK_BOXES];
+		if (place % BLOCK_BOXES == 0)
+			*to = empty_block;
+		for (int k = 0; k < 3; k++) {
+			to->low[k][place % BLOCK_BOXES] = block->low[k][i];
+			to->high[k][place % BLOCK_BOXES] = block->high[k][i];
+		}
+		extract->faces.at[extract->faces.count++] = faces[i];
+	}
+}
+
+enum tcs_status
+face_extract_fill(struct face_extract *extract, const struct face_boxes *boxes,
+	uint32_t number, const struct float_box *box, struct tcs_fault *fault)
+{
+	const struct face_run *run = &boxes->runs.at[number];
+	struct block_walk walk;
+
+	extract->boxes = boxes;
+	extract->run = number;
+	extract->is_copy = true;
+	extract->faces.count = extract->blocks.count = 0;
+	if (!run->face_count)
+		return TCS_OK;
+	if (array_grow(&extract->faces, MOST_EXTRACTED + BLOCK_BOXES) ||
+		array_grow(&extract->blocks, MOST_EXTRACTED / BLOCK_BOXES + 1))
+		return fault_memory(fault);
+	walk_begin(&walk, run);
+	while (walk.height > 0 && extract->faces.count <= MOST_EXTRACTED) {
+		struct block_place at = walk.stack[--walk.height];
+		const struct box_block *block =
+			&boxes->blocks.at[walk.levels[at.level] + at.number];
+		uint32_t first = BLOCK_BOXES * at.number;
+		unsigned bits = block_meets(block, box);
+
+		if (!at.level)
+			extract_boxes(extract, block, bits,
+				boxes->faces.at + run->first_face + first);
+		else
+			walk_down(&walk, at, bits);
+	}
+	extract->is_copy = extract->faces.count <= MOST_EXTRACTED;
+	return TCS_OK;
+}
+
+enum tcs_status
+face_extract_near(const struct face_extract *extract,
+	const struct float_box *box, struct face_list *out,
+	struct tcs_fault *fault)
+{
+	const uint32_t *faces = extract->faces.at;
+
+	if (!extract->is_copy)
+		return face_boxes_near(
+			extract->boxes, extract->run, box, out, fault);
+	out->count = 0;
+	if (array_grow(out, MOST_EXTRACTED))
+		return fault_memory(fault);
+	for (size_t i = 0; i < extract->faces.count; i += BLOCK_BOXES) {
+		const struct box_block *block =
+			&extract->blocks.at[i / BLOCK_BOXES];
+		unsigned bits = block_meets(block, box);
+
+		for (size_t k = i; bits; bits >>= 1, k++)
+			if (bits & 1)
+				out->at[out->count++] = faces[k];
+	}
+	return TCS_OK;
+}
+
+void
+face_extract_release(struct face_extract *extract)
+{
+	array_release(&extract->faces);
+	array_release(&extract->blocks);
 }

@@ -144,4 +144,27 @@ enum tcs_status face_boxes_near(const struct face_boxes *boxes, uint32_t run,
 
 void face_boxes_release(struct face_boxes *boxes);
 
+/* The faces of a run that are near a box, of which more is asked: few of them
+   are copied. All zero is empty; reused. */
+struct face_extract {
+	const struct face_boxes *boxes; /* borrowed */
+	uint32_t run;
+	bool is_copy; /* else the run is asked */
+	struct face_list faces;
+	TCS_ARRAY(struct box_block) blocks; /* over the faces, in turn */
+};
+
+/* Extract the faces of a run whose boxes meet `box`. Fails with
+   TCS_NO_MEMORY. */
+enum tcs_status face_extract_fill(struct face_extract *extract,
+	const struct face_boxes *boxes, uint32_t run,
+	const struct float_box *box, struct tcs_fault *fault) TCS_CHECKED;
+
+/* As face_boxes_near, for a box within that of the extract. */
+enum tcs_status face_extract_near(const struct face_extract *extract,
+	const struct float_box *box, struct face_list *out,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+void face_extract_release(struct face_extract *extract);
+
 #endif

@@ -143,8 +143,8 @@ add_plane(struct look *look, uint32_t node, uint32_t face)
 static enum tcs_status
 list_near(struct look *look, const struct float_box *box, struct face_list *out)
 {
-	return face_boxes_near(look->scene->boxes,
-		look->components[1 - look->side], box, out, look->fault);
+	return face_extract_near(&look->touches->extracts[1 - look->side], box,
+		out, look->fault);
 }
 
 /* ---- vertices ------------------------------------------------------------ */
@@ -448,8 +448,8 @@ static enum tcs_status
 list_own(struct look *look, struct float_box *other)
 {
 	*other = box_around_component(look, look->components[1 - look->side]);
-	return face_boxes_near(look->scene->boxes, look->components[look->side],
-		other, &look->touches->near, look->fault);
+	return face_extract_near(&look->touches->extracts[look->side], other,
+		&look->touches->near, look->fault);
 }
 
 static enum tcs_status
@@ -558,6 +558,37 @@ thin_out(struct touches *touches, size_t first)
 
 /* ---- two components ------------------------------------------------------ */
 
+/* Extract the faces of either side that anything will be asked of: those near
+   the other's box, grown by as much as its edges are lengthened. */
+static enum tcs_status
+extract_near(struct look *look)
+{
+	enum tcs_status status = TCS_OK;
+
+	for (int side = 0; !status && side < 2; side++) {
+		struct box box = look->scene->set->components
+					 .at[look->components[1 - side]]
+					 .box;
+		struct float_box wide;
+
+		for (int i = 0; i < 3; i++) {
+			double more = BUFFER * (box.high[i] - box.low[i]);
+
+			box.low[i] -= more;
+			box.high[i] += more;
+		}
+		wide = float_box_around(
+			(struct tcs_point){box.low[0], box.low[1], box.low[2]},
+			(struct tcs_point){
+				box.high[0], box.high[1], box.high[2]},
+			look->scene->reach);
+		status = face_extract_fill(&look->touches->extracts[side],
+			look->scene->boxes, look->components[side], &wide,
+			look->fault);
+	}
+	return status;
+}
+
 /* No vertex is in reach, no edge pierces. */
 static enum tcs_status
 compare_all_edges(struct look *look)
@@ -595,6 +626,8 @@ touches_add(struct touches *touches, const struct touch_scene *scene,
 	struct contact contact = {.a = a, .b = b};
 	enum tcs_status status = clear_met(&look);
 
+	if (!status)
+		status = extract_near(&look);
 	for (; !status && look.side < 2; look.side++)
 		status = look_across(&look);
 	if (!status && !look.touching)
@@ -635,4 +668,6 @@ touches_release(struct touches *touches)
 	array_release(&touches->met);
 	array_release(&touches->near);
 	array_release(&touches->there);
+	for (int i = 0; i < 2; i++)
+		face_extract_release(&touches->extracts[i]);
 }

@@ -65,6 +65,8 @@ struct touches {
 	TCS_ARRAY(struct touch) places; /* by contact */
 	TCS_ARRAY(struct touch_plane) planes;
 	struct face_list near, there; /* scratch */
+	struct face_extract extracts[2]; /* scratch: of a and b, those near the
+	                                    other */
 	TCS_ARRAY(uint32_t) met; /* scratch: a bit per node that touches */
 };
 

@@ -75,9 +75,60 @@ a_box_that_is_dropped_is_found_where_it_grows_again(void)
 	face_boxes_release(&boxes);
 }
 
+static bool
+have_the_same(const struct face_list *a, const struct face_list *b)
+{
+	bool same = a->count == b->count;
+
+	for (size_t i = 0; same && i < a->count; i++)
+		same = a->at[i] == b->at[i];
+	return same;
+}
+
+/* Whether it is a copy or not. */
+static void
+an_extract_answers_in_the_order_of_all(void)
+{
+	static const struct {
+		double low, high;
+	} spans[] = {{10, 13}, {20, 60}, {100, 700}, {2000, 2001}};
+	struct face_boxes boxes = {0};
+	struct face_extract extract = {0};
+	struct face_list all = {0}, some = {0};
+	struct float_box own[FACES], wide, box;
+	uint32_t faces[FACES];
+	struct tcs_fault fault;
+
+	for (uint32_t i = 0; i < FACES; i++) {
+		faces[i] = i;
+		own[i] = box_at(i % 97 * 10 + i / 97);
+	}
+	CHECK(!face_boxes_add(&boxes, faces, own, FACES, &fault));
+	for (size_t i = 0; i < sizeof spans / sizeof *spans; i++) {
+		wide = float_box_around((struct tcs_point){spans[i].low, 0, 0},
+			(struct tcs_point){spans[i].high, 1, 1}, 0);
+		CHECK(!face_extract_fill(&extract, &boxes, 0, &wide, &fault));
+		CHECK(extract.is_copy == (i != 2));
+		for (double x = spans[i].low; x < spans[i].high; x += 0.7) {
+			box = float_box_around((struct tcs_point){x, 0, 0},
+				(struct tcs_point){spans[i].high, 0.1, 0.1}, 0);
+			CHECK(!face_boxes_near(&boxes, 0, &box, &all, &fault));
+			CHECK(!face_extract_near(
+				&extract, &box, &some, &fault));
+			CHECK(have_the_same(&all, &some));
+			CHECK(all.count > 0 || i == 3);
+		}
+	}
+	array_release(&all);
+	array_release(&some);
+	face_extract_release(&extract);
+	face_boxes_release(&boxes);
+}
+
 static const struct check_test tests[] = {
 	CHECK_TEST(a_box_that_grows_is_found_where_it_is_then),
 	CHECK_TEST(a_box_that_is_dropped_is_found_where_it_grows_again),
+	CHECK_TEST(an_extract_answers_in_the_order_of_all),
 	{0},
 };
 
