@@ -389,6 +389,8 @@ check_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 	if (!status && *fine)
 		*fine = error_watch_allows(
 			work, &ring, 1, work->positions.at[target]);
+	if (!status && *fine && !work->watch.paused)
+		volume_watch_look(work, &ring, work->positions.at[target]);
 	if (!status && *fine)
 		status = list_moves(work, count, fault);
 	if (!status && *fine)
@@ -458,13 +460,16 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 	*fine = true;
 	work->touched.count = work->moves.count = work->opened.count = 0;
 	work->broken = 0;
+	work->volume.change = 0;
 	work->leaving.count = work->apart.count = work->ring.count = 0;
 	work->ring_is_open = false;
 	for (uint32_t v = fans[0].first_vertex;
 		!status && *fine && v < fans[1].first_vertex; v++)
 		status = check_vertex(work, v, target, twins, fine, fault);
-	if (!status && *fine)
+	if (!status && *fine) {
 		count_vanishing(work);
+		work->broken += volume_watch_worth(work, node);
+	}
 	*fine = !status && *fine && count_broken(work) &&
 		(work->settings.contact_cost < INFINITY ||
 			!(work->broken > 0)) &&
@@ -544,6 +549,7 @@ collapse_do(struct collapses *work, uint32_t node, uint32_t target,
 	enum tcs_status status = TCS_OK;
 
 	move_holds(work);
+	volume_watch_follow(work, node);
 	for (uint32_t v = fans[0].first_vertex;
 		!status && v < fans[1].first_vertex; v++)
 		status = collapse_vertex(work, v, target, fault);

@@ -366,6 +366,8 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 			set, sheets, fault);
 	if (!status)
 		status = crossing_watch_begin(&work->crossings, work, fault);
+	if (!status)
+		status = volume_watch_begin(&work->volume, set, fault);
 	if (!status && settings->optimal)
 		status = placement_begin(work, fault);
 	if (status)
@@ -446,6 +448,7 @@ collapses_end(struct collapses *work)
 	node_queue_release(&work->queue);
 	error_watch_release(&work->watch);
 	crossing_watch_release(&work->crossings);
+	volume_watch_release(&work->volume);
 }
 
 void

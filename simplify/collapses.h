@@ -15,6 +15,7 @@
 #include "quadric.h"
 #include "seams.h"
 #include "sheets.h"
+#include "volume_watch.h"
 
 struct collapse_settings {
 	double base_ratio; /* of the cost of moving a boundary vertex; >= 1 */
@@ -80,11 +81,13 @@ struct collapses {
 	double ground; /* what is no higher stands on it, and goes no higher */
 	struct error_watch watch;
 	struct crossing_watch crossings;
+	struct volume_watch volume;
 	struct node_queue queue;
 	TCS_ARRAY(struct spoke) spokes; /* scratch */
 	TCS_ARRAY(struct queue_entry) candidates; /* scratch */
 	/* What collapse_check found out: */
-	double broken; /* contacts, each by its worth, surfaces, crossings */
+	double broken; /* contacts, each by its worth, surfaces, crossings, a
+	                  component crushed */
 	TCS_ARRAY(uint32_t) touched; /* the nodes around */
 	TCS_ARRAY(struct seam_move) moves;
 	TCS_ARRAY(struct ring_face) ring; /* those that stay */

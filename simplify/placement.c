@@ -186,6 +186,19 @@ check_both(struct collapses *work, uint32_t node, uint32_t target,
 	return status;
 }
 
+/* Faces that both have count once. */
+static void
+look_at_volume(struct collapses *work, uint32_t node, struct edge_rings *rings,
+	struct tcs_point place)
+{
+	struct watch_ring all = rings->rings[0];
+
+	all.without = TCS_NONE;
+	volume_watch_look(work, &all, place);
+	volume_watch_look(work, &rings->rings[1], place);
+	work->broken += volume_watch_worth(work, node);
+}
+
 enum tcs_status
 placement_check(struct collapses *work, uint32_t node, uint32_t target,
 	bool *fine, struct tcs_fault *fault)
@@ -205,6 +218,7 @@ placement_check(struct collapses *work, uint32_t node, uint32_t target,
 		return status;
 	load_rings(work, node, target, &rings);
 	*fine = error_watch_allows(work, rings.rings, 2, place);
+	look_at_volume(work, node, &rings, place);
 	return TCS_OK;
 }
 

@@ -227,6 +227,8 @@ collapses_refill(struct collapses *work, const struct refill *refill,
 	if (!status)
 		status = move_seams(work, refill, fault);
 	if (!status)
+		volume_watch_refill(work, refill);
+	if (!status)
 		status = half_edges_refill(work->mesh, refill->faces,
 			refill->face_count, refill->corners, refill->count,
 			fault);

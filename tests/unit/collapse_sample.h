@@ -130,6 +130,23 @@ sample_has(const struct collapse_sample *sample, double x, double y, double z)
 	return false;
 }
 
+/* Under the faces of a feature that are left. */
+static inline double
+sample_volume(const struct collapse_sample *sample, uint32_t feature)
+{
+	const struct collapses *work = &sample->work;
+	const struct tcs_point *at = work->positions.at;
+	double sum = 0;
+	uint32_t nodes[3];
+
+	for (uint32_t i = 0; i < work->features.count; i++)
+		if (work->features.at[i] == feature &&
+			collapses_face(work, i, nodes))
+			sum += vector_dot(at[nodes[0]],
+				vector_cross(at[nodes[1]], at[nodes[2]]));
+	return sum / 6;
+}
+
 static inline void
 sample_release(struct collapse_sample *sample)
 {

@@ -53,22 +53,6 @@ close_all(struct scene *scene)
 
 /* ---- what is left -------------------------------------------------------- */
 
-static double
-volume(const struct scene *scene, uint32_t feature)
-{
-	const struct collapses *work = &scene->sample.work;
-	double sum = 0;
-	uint32_t nodes[3];
-
-	for (uint32_t i = 0; i < work->features.count; i++)
-		if (work->features.at[i] == feature &&
-			collapses_face(work, i, nodes))
-			sum += vector_dot(work->positions.at[nodes[0]],
-				vector_cross(work->positions.at[nodes[1]],
-					work->positions.at[nodes[2]]));
-	return sum / 6;
-}
-
 static size_t
 faces(const struct scene *scene, uint32_t feature)
 {
@@ -217,7 +201,7 @@ a_wall_with_two_openings_closes_to_a_box(void)
 	CHECK(scene.handles.closed == 2);
 	CHECK(is_closed(&scene));
 	CHECK(faces(&scene, WALL) == 12);
-	CHECK(fabs(volume(&scene, WALL) - 6 * 3 * THICK) < 1e-9);
+	CHECK(fabs(sample_volume(&scene.sample, WALL) - 6 * 3 * THICK) < 1e-9);
 	end(&scene);
 }
 
@@ -234,7 +218,7 @@ what_is_left_of_an_opening_closes(void)
 	close_all(&scene);
 	CHECK(scene.handles.closed == 2);
 	CHECK(is_closed(&scene));
-	CHECK(fabs(volume(&scene, WALL) - 6 * 3 * THICK) < 0.5);
+	CHECK(fabs(sample_volume(&scene.sample, WALL) - 6 * 3 * THICK) < 0.5);
 	end(&scene);
 }
 
@@ -249,7 +233,9 @@ a_recess_is_filled(void)
 	close_all(&scene);
 	CHECK(is_closed(&scene));
 	CHECK(faces(&scene, WALL) == 12);
-	CHECK(fabs(volume(&scene, WALL) - 7 * 3 * THICK) < 1e-9);
+	CHECK(fabs(sample_volume(&scene.sample, WALL) - 7 * 3 * THICK) < 1e-9);
+	CHECK(fabs(scene.sample.work.volume.volumes.at[0] - 7 * 3 * THICK) <
+		1e-9);
 	end(&scene);
 }
 
@@ -333,7 +319,7 @@ a_round_ring_stays(void)
 				ring[(i + 1) % ROUND][(k + 1) % TUBE],
 				ring[i][(k + 1) % TUBE]);
 	begin(&scene);
-	CHECK(volume(&scene, WALL) > 0);
+	CHECK(sample_volume(&scene.sample, WALL) > 0);
 	CHECK(scene.handles.at.count == 0);
 	end(&scene);
 }
@@ -402,7 +388,7 @@ a_rod_between_plates_stays(void)
 		at(1, 2, 5));
 	begin(&scene);
 	CHECK(is_closed(&scene));
-	CHECK(fabs(volume(&scene, WALL) - (9 + 9 + 4)) < 1e-9);
+	CHECK(fabs(sample_volume(&scene.sample, WALL) - (9 + 9 + 4)) < 1e-9);
 	CHECK(scene.handles.at.count == 0);
 	end(&scene);
 }
