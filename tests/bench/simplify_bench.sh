@@ -67,8 +67,8 @@ for name, seconds in best.items():
         line += "   takes %5.2f x, without stream %5.2f x ours" % (
             seconds / best[whole], seconds / best[bare])
     elif name == whole:
-        line += "   %d triangles, %.2f us and %.0f bytes each" % (count,
-            1e6 * seconds / count, peak / count)
+        line += "   %d triangles, %.2f us each; peak %.0f bytes each" % (
+            count, 1e6 * seconds / count, peak / count)
     print(line)
 PYTHON
 
