@@ -1,6 +1,7 @@
 /*
  * The XML parser's inside: what citygml_xml.c, which hears libxml2's events,
- * shares with citygml_xml_feed.c, which hands it the bytes.
+ * shares with citygml_xml_feed.c, which hands it the bytes, and with
+ * citygml_xml_plain.c, which finds most events itself.
  */
 #ifndef TESSERA_CITYGML_XML_PARSER_H
 #define TESSERA_CITYGML_XML_PARSER_H

@@ -1,7 +1,7 @@
 /*
  * Elements of tags and text and little else, as nearly all of a city's are:
- * read without libxml2, which would take three times as long. What is not as
- * plain, or not well-formed, is left to it, so that nothing is judged here.
+ * read without libxml2, which would take twice as long. What is not as plain,
+ * or not well-formed, is left to it, so that nothing is judged here.
  *
  * source: Extensible Markup Language (XML) 1.0, fifth edition.
  */
