@@ -255,6 +255,65 @@ box_tree_add(struct box_tree *tree, const struct box *boxes,
 	return TCS_OK;
 }
 
+/* ---- enlarging ----------------------------------------------------------- */
+
+static bool
+holds(const struct box *box, const struct box *other)
+{
+	for (int i = 0; i < 3; i++)
+		if (!(box->low[i] <= other->low[i] &&
+			    box->high[i] >= other->high[i]))
+			return false;
+	return true;
+}
+
+static bool
+leaf_has(
+	const struct box_tree *tree, const struct box_node *leaf, uint32_t item)
+{
+	for (uint32_t i = 0; i < leaf->count; i++)
+		if (tree->items.at[leaf->first + i] == item)
+			return true;
+	return false;
+}
+
+/* A node that is to be looked at, and how deep it lies. */
+struct visit {
+	uint32_t node;
+	size_t depth;
+};
+
+void
+box_tree_enlarge(struct box_tree *tree, uint32_t root, uint32_t item,
+	const struct box *had, const struct box *has)
+{
+	struct visit stack[BOX_TREE_STACK];
+	uint32_t path[BOX_TREE_DEPTH + 2];
+	size_t height = 0;
+
+	stack[height++] = (struct visit){root, 0};
+	while (height > 0) {
+		struct visit visit = stack[--height];
+		const struct box_node *node = &tree->nodes.at[visit.node];
+
+		path[visit.depth] = visit.node;
+		if (!holds(&node->box, had))
+			continue;
+		if (!node->count) {
+			assert(height + 2 <= BOX_TREE_STACK &&
+				visit.depth < BOX_TREE_DEPTH);
+			stack[height++] = (struct visit){
+				node->first + 1, visit.depth + 1};
+			stack[height++] =
+				(struct visit){node->first, visit.depth + 1};
+		} else if (leaf_has(tree, node, item)) {
+			for (size_t i = 0; i <= visit.depth; i++)
+				box_add(&tree->nodes.at[path[i]].box, has);
+			return;
+		}
+	}
+}
+
 void
 box_tree_release(struct box_tree *tree)
 {

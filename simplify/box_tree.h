@@ -86,6 +86,10 @@ struct box_tree {
 enum tcs_status box_tree_add(struct box_tree *tree, const struct box *boxes,
 	const uint32_t *items, size_t count, uint32_t *root,
 	struct tcs_fault *fault) TCS_CHECKED;
+/* An item of a tree gets a larger box than it had: all boxes around it hold that,
+   too. Takes log n steps, as a rule. */
+void box_tree_enlarge(struct box_tree *tree, uint32_t root, uint32_t item,
+	const struct box *had, const struct box *has);
 void box_tree_release(struct box_tree *tree);
 
 /* One item, as its position in `items`. False ends the walk. */

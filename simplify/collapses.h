@@ -142,9 +142,12 @@ enum tcs_status collapses_take_away(struct collapses *work,
 
 /* Triangles that take the place of faces, see half_edges_refill. */
 struct refill {
-	const uint32_t *faces;
+	const uint32_t *faces; /* in ascending order */
 	size_t face_count;
+	const uint32_t *numbers; /* per triangle: the face that it becomes */
 	const uint32_t *corners; /* three vertices per triangle */
+	const struct tcs_point *places; /* where they are then; NULL: where
+	                                   they are now */
 	const uint32_t *models; /* per triangle: a face that it continues, as
 	                           regards surface and texture */
 	size_t count;
@@ -156,6 +159,19 @@ struct refill {
    TCS_NO_MEMORY. */
 enum tcs_status collapses_refill(struct collapses *work,
 	const struct refill *refill, struct tcs_fault *fault) TCS_CHECKED;
+
+/* Where corner k of a triangle will be. */
+static inline struct tcs_point
+refill_place(const struct collapses *work, const struct refill *refill,
+	size_t triangle, int k)
+{
+	size_t corner = 3 * triangle + (size_t)k;
+
+	return refill->places
+		? refill->places[corner]
+		: work->positions.at[work->sheets->vertex_nodes
+					     .at[refill->corners[corner]]];
+}
 
 /* The triangle of the set that a face that is left continues. */
 static inline uint32_t

@@ -240,6 +240,16 @@ component_set_build(struct component_set *set, struct tcs_fault *fault)
 }
 
 void
+component_set_enlarge(
+	struct component_set *set, uint32_t component, struct tcs_point place)
+{
+	struct box *own = &set->components.at[component].box, had = *own;
+
+	box_add_point(own, place);
+	box_tree_enlarge(&set->boxes, set->box_root, component, &had, own);
+}
+
+void
 component_set_clear(struct component_set *set)
 {
 	array_clear(&set->points);

@@ -53,6 +53,10 @@ enum tcs_status component_set_build(
 enum tcs_status component_set_join(
 	struct component_set *set, struct tcs_fault *fault) TCS_CHECKED;
 
+/* A component will have a corner there. */
+void component_set_enlarge(
+	struct component_set *set, uint32_t component, struct tcs_point place);
+
 void component_set_clear(struct component_set *set);
 void component_set_release(struct component_set *set);
 

@@ -346,7 +346,7 @@ list_refill(struct collapses *work, const struct refill *refill,
 			face->nodes[k] = node_of(
 				work, refill->corners[3 * i + (size_t)k]);
 			face->shape.corner[k] =
-				work->positions.at[face->nodes[k]];
+				refill_place(work, refill, i, k);
 		}
 	}
 	for (size_t i = 0; i < refill->face_count; i++)

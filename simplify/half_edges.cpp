@@ -44,8 +44,7 @@ using Ends = std::pair<std::uint32_t, std::uint32_t>; /* from, to */
 struct refilling {
 	std::map<Ends, Half> halves;
 	std::vector<Half> free;
-	std::vector<Half> rim;
-	std::vector<Vertex> inner;
+	std::vector<Vertex> vertices; /* of the faces */
 };
 
 } // namespace
@@ -120,7 +119,7 @@ struct half_edges {
 	void settle(Vertex vertex, Half outgoing);
 	void list_refilling(refilling &fill, const std::uint32_t *faces,
 		std::size_t face_count) const;
-	void link_refilling(const refilling &fill, const std::uint32_t *faces,
+	void link_refilling(const refilling &fill, const std::uint32_t *numbers,
 		const std::uint32_t *corners, std::size_t count);
 	bool drops_cleanly(Half half) const;
 	std::uint32_t drop(Half half);
@@ -381,7 +380,7 @@ void
 half_edges::list_refilling(refilling &fill, const std::uint32_t *faces,
 	std::size_t face_count) const
 {
-	std::map<std::uint32_t, bool> own, on_rim;
+	std::map<std::uint32_t, bool> own, listed;
 
 	for (std::size_t i = 0; i < face_count; i++)
 		own[faces[i]] = true;
@@ -392,20 +391,14 @@ half_edges::list_refilling(refilling &fill, const std::uint32_t *faces,
 			Half back = opposite(half);
 			std::uint32_t tail = number(head(back));
 
-			if (!own.count(number(face(back)))) {
+			if (listed.insert({tail, true}).second)
+				fill.vertices.push_back(head(back));
+			if (!own.count(number(face(back))))
 				fill.halves[{tail, number(head(half))}] = half;
-				fill.rim.push_back(half);
-				on_rim[tail] = true;
-				continue;
-			}
-			on_rim.insert({tail, false});
-			if (half.idx() < back.idx())
+			else if (half.idx() < back.idx())
 				fill.free.push_back(half);
 		}
 	}
-	for (const auto &vertex : on_rim)
-		if (!vertex.second)
-			fill.inner.push_back(handle<Vertex>(vertex.first));
 }
 
 /* Give every edge of the triangles that is not on the rim a free pair. */
@@ -428,7 +421,7 @@ give_halves(refilling &fill, const std::uint32_t *corners, std::size_t count)
 }
 
 void
-half_edges::link_refilling(const refilling &fill, const std::uint32_t *faces,
+half_edges::link_refilling(const refilling &fill, const std::uint32_t *numbers,
 	const std::uint32_t *corners, std::size_t count)
 {
 	for (std::size_t i = 0; i < count; i++) {
@@ -443,18 +436,21 @@ half_edges::link_refilling(const refilling &fill, const std::uint32_t *faces,
 			kernel.set_next_halfedge_handle(
 				halves[k], halves[(k + 1) % 3]);
 			kernel.set_face_handle(
-				halves[k], handle<Face>(faces[i]));
+				halves[k], handle<Face>(numbers[i]));
 		}
-		kernel.set_halfedge_handle(handle<Face>(faces[i]), halves[0]);
+		kernel.set_halfedge_handle(handle<Face>(numbers[i]), halves[0]);
 	}
-	for (Half half : fill.rim)
-		settle(head(opposite(half)), half);
+	for (std::size_t c = 0; c < 3 * count; c++) {
+		Ends ends = {corners[c], corners[c % 3 == 2 ? c - 2 : c + 1]};
+
+		settle(handle<Vertex>(corners[c]), fill.halves.at(ends));
+	}
 }
 
 enum tcs_status
 half_edges_refill(struct half_edges *mesh, const uint32_t *faces,
-	size_t face_count, const uint32_t *corners, size_t triangle_count,
-	struct tcs_fault *fault) noexcept
+	size_t face_count, const uint32_t *numbers, const uint32_t *corners,
+	size_t triangle_count, struct tcs_fault *fault) noexcept
 {
 	refilling fill;
 
@@ -464,11 +460,11 @@ half_edges_refill(struct half_edges *mesh, const uint32_t *faces,
 	} catch (const std::exception &) {
 		return fault_memory(fault);
 	}
-	for (std::size_t i = triangle_count; i < face_count; i++)
+	for (std::size_t i = 0; i < face_count; i++)
 		mesh->kernel.set_halfedge_handle(
 			handle<Face>(faces[i]), Half());
-	for (Vertex vertex : fill.inner)
+	for (Vertex vertex : fill.vertices)
 		mesh->kernel.set_halfedge_handle(vertex, Half());
-	mesh->link_refilling(fill, faces, corners, triangle_count);
+	mesh->link_refilling(fill, numbers, corners, triangle_count);
 	return TCS_OK;
 }

@@ -260,8 +260,8 @@ plan(struct handles *handles, const struct handle *handle,
 		return status;
 	choose_models(handles);
 	*refill = (struct refill){rims->faces.at, rims->faces.count,
-		rims->corners.at, rims->beyond.at, rims->beyond.count,
-		volume_added(handles) > 0};
+		rims->faces.at, rims->corners.at, NULL, rims->beyond.at,
+		rims->beyond.count, volume_added(handles) > 0};
 	return list_contacts(handles, fault);
 }
 

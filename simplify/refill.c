@@ -27,8 +27,12 @@ list_nodes(struct collapses *work, const struct refill *refill,
 	struct tcs_fault *fault)
 {
 	work->touched.count = 0;
-	if (array_grow(&work->touched, 3 * refill->face_count))
+	if (array_grow(
+		    &work->touched, 3 * (refill->face_count + refill->count)))
 		return fault_memory(fault);
+	for (size_t i = 0; i < 3 * refill->count; i++)
+		work->touched.at[work->touched.count++] =
+			node_of(work, refill->corners[i]);
 	for (size_t i = 0; i < refill->face_count; i++) {
 		uint32_t *nodes = work->touched.at + work->touched.count;
 
@@ -64,8 +68,8 @@ inherit(struct collapses *work, const struct refill *refill,
 	for (size_t i = 0; i < refill->face_count; i++)
 		work->surfaces.at[work->features.at[refill->faces[i]]]--;
 	for (size_t i = 0; i < refill->count; i++) {
-		work->features.at[refill->faces[i]] = from[i].feature;
-		work->sources.at[refill->faces[i]] = from[i].source;
+		work->features.at[refill->numbers[i]] = from[i].feature;
+		work->sources.at[refill->numbers[i]] = from[i].source;
 		work->surfaces.at[from[i].feature]++;
 	}
 	work->face_count -= refill->face_count - refill->count;
@@ -74,13 +78,28 @@ inherit(struct collapses *work, const struct refill *refill,
 }
 
 static struct triangle_shape
-shape_of(const struct collapses *work, const uint32_t *corners)
+shape_of(const struct collapses *work, const struct refill *refill,
+	size_t triangle)
 {
 	struct triangle_shape shape;
 
 	for (int k = 0; k < 3; k++)
-		shape.corner[k] = work->positions.at[node_of(work, corners[k])];
+		shape.corner[k] = refill_place(work, refill, triangle, k);
 	return shape;
+}
+
+/* The nodes that are elsewhere now have left what they met. */
+static void
+move_nodes(struct collapses *work, const struct refill *refill)
+{
+	for (size_t i = 0; refill->places && i < 3 * refill->count; i++) {
+		uint32_t node = node_of(work, refill->corners[i]);
+
+		work->positions.at[node] = refill->places[i];
+		work->seams->nodes.at[node] = TCS_NONE;
+		if (work->settings.optimal)
+			work->fixed.at[node] = true;
+	}
 }
 
 /* What is known of the faces that change their place. */
@@ -90,17 +109,16 @@ move_faces(struct collapses *work, const struct refill *refill)
 	for (size_t i = 0; i < refill->face_count; i++)
 		crossing_watch_drop(work, refill->faces[i]);
 	for (size_t i = 0; i < refill->count; i++) {
-		struct triangle_shape shape =
-			shape_of(work, refill->corners + 3 * i);
+		struct triangle_shape shape = shape_of(work, refill, i);
 		struct tcs_point normal = triangle_normal(&shape);
 		double length = vector_length(normal);
 
 		if (length > 0)
-			work->sheets->normals.at[refill->faces[i]] =
+			work->sheets->normals.at[refill->numbers[i]] =
 				vector_scaled(normal, 1 / length);
 		for (int k = 0; k < 3; k++)
 			crossing_watch_follow(
-				work, refill->faces[i], shape.corner[k]);
+				work, refill->numbers[i], shape.corner[k]);
 	}
 }
 
@@ -115,13 +133,13 @@ nearest(const struct collapses *work, const struct refill *refill,
 	struct seam_move best = {hold, TCS_NONE, INFINITY};
 
 	for (size_t i = 0; i < refill->count; i++) {
-		struct triangle_shape shape =
-			shape_of(work, refill->corners + 3 * i);
+		struct triangle_shape shape = shape_of(work, refill, i);
 		double off = vector_length(vector_difference(
 			triangle_nearest(&shape, point), point));
 
 		if (off < best.off)
-			best = (struct seam_move){hold, refill->faces[i], off};
+			best = (struct seam_move){
+				hold, refill->numbers[i], off};
 	}
 	return best;
 }
@@ -230,12 +248,13 @@ collapses_refill(struct collapses *work, const struct refill *refill,
 		volume_watch_refill(work, refill);
 	if (!status)
 		status = half_edges_refill(work->mesh, refill->faces,
-			refill->face_count, refill->corners, refill->count,
-			fault);
+			refill->face_count, refill->numbers, refill->corners,
+			refill->count, fault);
 	if (!status)
 		status = inherit(work, refill, fault);
 	if (status)
 		return status;
+	move_nodes(work, refill);
 	move_faces(work, refill);
 	return judge_touched(work, fault);
 }

@@ -289,7 +289,7 @@ a_torus_cut_and_closed_is_a_sphere(void)
 		*next++ = AROUND * (i + 1) + 1;
 	}
 	CHECK(!half_edges_refill(mesh.half_edges, faces, 2 * (size_t)TUBE,
-		corners, 2 * (size_t)CAP, &fault));
+		faces, corners, 2 * (size_t)CAP, &fault));
 	left = count(&mesh);
 	CHECK(left.open == 0);
 	CHECK(left.faces == (AROUND - 1) * TUBE * 2 + 2 * CAP);
@@ -304,6 +304,39 @@ a_torus_cut_and_closed_is_a_sphere(void)
 	close_mesh(&mesh);
 }
 
+/* Two tetrahedra make way for one, which has faces and vertices of the second,
+   some of which are gone already. */
+static void
+what_is_gone_comes_back(void)
+{
+	static const uint32_t sides[4][3] = {
+		{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+	static const uint32_t left[] = {0, 1, 2, 3, 4, 5, 6, 7};
+	static const uint32_t numbers[] = {8, 9, 10, 11};
+	struct mesh mesh = {.vertices = 12};
+	struct counts counts;
+	uint32_t corners[12];
+	struct tcs_fault fault;
+
+	for (uint32_t i = 0; i < 12; i++)
+		add_face(&mesh, sides[i % 4][0] + i / 4 * 4,
+			sides[i % 4][1] + i / 4 * 4,
+			sides[i % 4][2] + i / 4 * 4);
+	open_mesh(&mesh);
+	for (uint32_t i = 8; i < 12; i++)
+		half_edges_take_away(mesh.half_edges, i);
+	for (uint32_t i = 0; i < 12; i++)
+		corners[i] = 8 + sides[i / 3][i % 3];
+	CHECK(!half_edges_refill(
+		mesh.half_edges, left, 8, numbers, corners, 4, &fault));
+	counts = count(&mesh);
+	CHECK(counts.faces == 4 && counts.vertices == 4 && counts.edges == 6);
+	CHECK(counts.open == 0);
+	CHECK(half_edges_corners(mesh.half_edges, 8, corners));
+	CHECK(!half_edges_corners(mesh.half_edges, 0, corners));
+	close_mesh(&mesh);
+}
+
 static const struct check_test tests[] = {
 	CHECK_TEST(a_vertex_has_its_spokes_counterclockwise),
 	CHECK_TEST(a_sheet_falls_to_one_triangle),
@@ -312,6 +345,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(a_sphere_falls_to_a_tetrahedron),
 	CHECK_TEST(two_triangles_back_to_back_stay),
 	CHECK_TEST(a_torus_cut_and_closed_is_a_sphere),
+	CHECK_TEST(what_is_gone_comes_back),
 	{0},
 };
 
