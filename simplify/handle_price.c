@@ -55,9 +55,8 @@ handle_now_shape(const struct handles *handles, uint32_t face)
 static uint32_t
 last_link(const struct part *own)
 {
-	uint32_t count = own[1].first_link - own[0].first_link;
-
-	return own[0].first_link + (count < MOST_LINKS ? count : MOST_LINKS);
+	return own->first_link +
+		(own->link_count < MOST_LINKS ? own->link_count : MOST_LINKS);
 }
 
 /* ---- how far it is off --------------------------------------------------- */
@@ -73,8 +72,7 @@ distance_before(const struct handles *handles, uint32_t part,
 	enum tcs_status status =
 		removals_distance(removals, part, from, INFINITY, least, fault);
 
-	for (uint32_t i = own[0].first_link; !status && i < last_link(own);
-		i++) {
+	for (uint32_t i = own->first_link; !status && i < last_link(own); i++) {
 		uint32_t other = parts->links.at[i];
 		double distance = INFINITY;
 
@@ -209,7 +207,7 @@ list_hidden(struct handles *handles, const struct handle *handle,
 	struct box box = box_of(handles, handle);
 
 	handles->hidden.count = 0;
-	for (uint32_t i = own[0].first_link; i < last_link(own); i++) {
+	for (uint32_t i = own->first_link; i < last_link(own); i++) {
 		uint32_t number = parts->links.at[i];
 		const struct part *other = &parts->at.at[number];
 		bool known = other->gone || !box_holds(&box, &other->box);
@@ -238,8 +236,9 @@ handle_becomes_one(
 		if (work->features.at[parts->faces.at[own->first + i]] !=
 			feature)
 			return false;
-	for (uint32_t i = own[0].first_link; i < own[1].first_link; i++) {
-		const struct part *other = &parts->at.at[parts->links.at[i]];
+	for (uint32_t i = 0; i < own->link_count; i++) {
+		const struct part *other =
+			&parts->at.at[parts->links.at[own->first_link + i]];
 
 		if (!other->gone && other->component != own->component &&
 			other->component != parts->at.at[host].component)

@@ -265,6 +265,16 @@ plan(struct handles *handles, const struct handle *handle,
 	return list_contacts(handles, fault);
 }
 
+/* Its part has other faces by now. */
+static bool
+is_built_over(const struct handles *handles, uint32_t number)
+{
+	const struct parts *parts = &handles->removals->parts;
+
+	return parts->at.at[parts_host(parts, handles->at.at[number].part)]
+		.rebuilt;
+}
+
 enum tcs_status
 handles_try(struct handles *handles, struct tcs_fault *fault)
 {
@@ -274,6 +284,10 @@ handles_try(struct handles *handles, struct tcs_fault *fault)
 	bool fine = false;
 	enum tcs_status status = removals_look(handles->removals, fault);
 
+	if (!status && is_built_over(handles, first.node)) {
+		node_queue_set(&handles->queue, first.node, INFINITY);
+		return TCS_OK;
+	}
 	if (!status)
 		status = plan(handles, &handles->at.at[first.node], &refill,
 			&fine, fault);

@@ -55,6 +55,46 @@ list_vanished(const struct object_simplifier *simplifier,
 	return status;
 }
 
+/* Each surface once. */
+static enum tcs_status
+list_merged(struct merges *merges, const struct tcs_object *in,
+	struct report *report, struct tcs_fault *fault)
+{
+	const uint32_t *features;
+	size_t count = merges_features(merges, &features);
+	enum tcs_status status =
+		report_add(report, "parts merged", merges->joined, fault);
+
+	for (size_t i = 0; !status && i < count; i++) {
+		const struct tcs_feature *feature =
+			&in->features.at[features[i]];
+
+		status = report_listed(report, "surface",
+			"merged: touching parts of it became one",
+			object_text(in, feature->id),
+			label_of(feature->class)->name, fault);
+	}
+	merges->joined = 0;
+	merges->features.count = 0;
+	return status;
+}
+
+enum tcs_status
+level_report_work(struct object_simplifier *simplifier,
+	const struct tcs_object *in, struct report *report,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = report_add(
+		report, "overlaps parted", simplifier->overlaps.parted, fault);
+
+	if (!status)
+		status = report_add(report, "holes closed",
+			simplifier->handles.closed, fault);
+	simplifier->handles.closed = 0;
+	return status ? status
+		      : list_merged(&simplifier->merges, in, report, fault);
+}
+
 enum tcs_status
 level_report(const struct object_simplifier *simplifier,
 	const struct tcs_object *in, const struct simplify_level *level,

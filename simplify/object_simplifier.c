@@ -74,6 +74,9 @@ prepare(struct object_simplifier *simplifier,
 		status = handles_find(&simplifier->handles,
 			&simplifier->collapses, &simplifier->removals, fault);
 	if (!status)
+		status = merges_find(&simplifier->merges, set,
+			&simplifier->collapses, &simplifier->removals, fault);
+	if (!status)
 		release_what_prepares(simplifier, settings);
 	return status;
 }
@@ -105,8 +108,8 @@ most_cost(const struct object_simplifier *simplifier)
 	return fmax(side * side * off * off, DBL_MIN);
 }
 
-/* Collapse; dissolve openings, close handles and take parts away as soon as
-   that is cheaper. */
+/* Collapse; dissolve openings, close handles, make parts one and take them away
+   as soon as that is cheaper. */
 static enum tcs_status
 reach_target(struct object_simplifier *simplifier, size_t target,
 	struct tcs_fault *fault)
@@ -115,8 +118,9 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 	struct openings *openings = &simplifier->openings;
 	struct removals *removals = &simplifier->removals;
 	struct handles *handles = &simplifier->handles;
+	struct merges *merges = &simplifier->merges;
 	size_t batch = openings->by_area.count / OPENING_BATCHES + 1;
-	enum tcs_status status = TCS_OK;
+	enum tcs_status status = merges_aim(merges, target, fault);
 	double most = most_cost(simplifier);
 	bool any;
 
@@ -124,7 +128,9 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 		double opening = openings_next_cost(openings);
 		double removal = removals_next_cost(removals);
 		double handle = handles_next_cost(handles);
-		double other = fmin(fmin(opening, removal), handle);
+		double merge = merges_next_cost(merges);
+		double other =
+			fmin(fmin(opening, removal), fmin(handle, merge));
 
 		status = collapses_run(work, target, fmin(other, most), fault);
 		if (!status && work->wants_worths) {
@@ -135,6 +141,8 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 			break;
 		if (handle <= other)
 			status = handles_try(handles, fault);
+		else if (merge <= other)
+			status = merges_try(merges, fault);
 		else if (removal < opening)
 			status = removals_try(removals, fault);
 		else
@@ -294,6 +302,7 @@ release_what_collapses(struct object_simplifier *simplifier)
 	seams_release(&simplifier->seams);
 	removals_release(&simplifier->removals);
 	handles_release(&simplifier->handles);
+	merges_end(&simplifier->merges);
 	collapses_end(&simplifier->collapses);
 	array_release(&simplifier->sheets.normals);
 	array_release(&simplifier->sheets.opposites);
@@ -317,14 +326,9 @@ make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	if (!status)
 		status = overlaps_part(&simplifier->overlaps, work, fault);
 	if (!status)
-		status = report_add(report, "overlaps parted",
-			simplifier->overlaps.parted, fault);
+		status = level_report_work(simplifier, in, report, fault);
 	if (done)
 		overlaps_release(&simplifier->overlaps);
-	if (!status)
-		status = report_add(report, "holes closed",
-			simplifier->handles.closed, fault);
-	simplifier->handles.closed = 0;
 	if (!status)
 		status = write_level(simplifier, in, level, fault);
 	if (!status)
@@ -346,6 +350,7 @@ release_all_but_writer(struct object_simplifier *simplifier)
 	overlaps_release(&simplifier->overlaps);
 	removals_release(&simplifier->removals);
 	handles_release(&simplifier->handles);
+	merges_release(&simplifier->merges);
 	array_release(&simplifier->homes);
 	array_release(&simplifier->hosts);
 }

@@ -11,6 +11,7 @@
 #include "handles.h"
 #include "lod_source.h"
 #include "lod_write.h"
+#include "merges.h"
 #include "openings.h"
 #include "overlaps.h"
 #include "paint_charts.h"
@@ -51,6 +52,7 @@ struct object_simplifier {
 	struct overlaps overlaps;
 	struct removals removals;
 	struct handles handles;
+	struct merges merges;
 	TCS_ARRAY(uint32_t) homes; /* see lod_home.h */
 	TCS_ARRAY(bool) hosts; /* per feature: see selection */
 };

@@ -60,7 +60,8 @@ sort_faces(struct search *search)
 		array_grow(&parts->faces, faces))
 		return fault_memory(search->fault);
 	for (size_t i = 0; i <= parts->count; i++)
-		parts->at.at[i] = (struct part){.parent = TCS_NONE};
+		parts->at.at[i] =
+			(struct part){.parent = TCS_NONE, .host = (uint32_t)i};
 	for (size_t i = 0; i < faces; i++)
 		parts->at.at[parts->numbers.at[i]].count++;
 	for (size_t i = 0; i <= parts->count; i++) {
@@ -266,8 +267,8 @@ drop_repeated_links(struct search *search)
 				parts->links.at[kept++] = other;
 			seen[other] = i;
 		}
+		parts->at.at[i].link_count = kept - parts->at.at[i].first_link;
 	}
-	parts->at.at[parts->count].first_link = kept;
 	parts->links.count = kept;
 	free(seen);
 	return TCS_OK;
@@ -294,9 +295,8 @@ carry(struct parts *parts, size_t next)
 		uint32_t part = parts->queue.at[next];
 		const struct part *own = &parts->at.at[part];
 
-		for (uint32_t i = own[0].first_link; i < own[1].first_link;
-			i++) {
-			uint32_t other = parts->links.at[i];
+		for (uint32_t i = 0; i < own->link_count; i++) {
+			uint32_t other = parts->links.at[own->first_link + i];
 
 			if (parts->at.at[other].parent != TCS_NONE)
 				continue;
@@ -433,9 +433,9 @@ list_carried(struct parts *parts, uint32_t part)
 		uint32_t carrier = parts->queue.at[next];
 		const struct part *own = &parts->at.at[carrier];
 
-		for (uint32_t i = own[0].first_link;
-			own->children > 0 && i < own[1].first_link; i++) {
-			uint32_t other = parts->links.at[i];
+		for (uint32_t i = 0; own->children > 0 && i < own->link_count;
+			i++) {
+			uint32_t other = parts->links.at[own->first_link + i];
 
 			if (parts->at.at[other].parent != carrier ||
 				parts->marks.at[other] == parts->mark)
@@ -455,8 +455,8 @@ other_carrier(const struct parts *parts, uint32_t part)
 {
 	const struct part *own = &parts->at.at[part];
 
-	for (uint32_t i = own[0].first_link; i < own[1].first_link; i++) {
-		uint32_t other = parts->links.at[i];
+	for (uint32_t i = 0; i < own->link_count; i++) {
+		uint32_t other = parts->links.at[own->first_link + i];
 
 		if (!parts->at.at[other].gone &&
 			parts->marks.at[other] != parts->mark)
@@ -494,12 +494,13 @@ find_carriers(struct parts *parts)
 		uint32_t carrier = parts->carriers.at[next].part;
 		const struct part *own = &parts->at.at[carrier];
 
-		for (uint32_t i = own[0].first_link; i < own[1].first_link; i++)
-			if (parts->marks.at[parts->links.at[i]] ==
-					parts->mark &&
-				parts->links.at[i] != parts->queue.at[0])
-				put_on_another(
-					parts, parts->links.at[i], carrier);
+		for (uint32_t i = 0; i < own->link_count; i++) {
+			uint32_t other = parts->links.at[own->first_link + i];
+
+			if (parts->marks.at[other] == parts->mark &&
+				other != parts->queue.at[0])
+				put_on_another(parts, other, carrier);
+		}
 	}
 	return parts->carriers.count == carried - 1;
 }

@@ -18,14 +18,16 @@
 
 struct part {
 	uint32_t first, count; /* of `faces` */
-	uint32_t first_link; /* up to that of the next part */
+	uint32_t first_link, link_count; /* of `links` */
 	uint32_t component;
 	uint32_t parent; /* what carries it; itself if the ground does */
 	uint32_t children; /* parts that it carries */
 	struct box box;
 	double area; /* square metres */
 	double depth; /* metres, of a closed one: three volumes per area */
-	bool gone;
+	uint32_t host; /* the part that it has become one with; or itself */
+	bool gone; /* taken away, or in its host */
+	bool rebuilt; /* its faces are others than those it came with */
 };
 
 /* Who carries a part from now on. */
@@ -35,10 +37,10 @@ struct part_carrier {
 
 /* All zero is empty; reused from object to object. */
 struct parts {
-	TCS_ARRAY(struct part) at; /* and one more behind the last */
+	TCS_ARRAY(struct part) at;
 	size_t count;
-	TCS_ARRAY(uint32_t) faces; /* part by part */
-	TCS_ARRAY(uint32_t) numbers; /* per face: its part */
+	TCS_ARRAY(uint32_t) faces; /* by part */
+	TCS_ARRAY(uint32_t) numbers; /* per face: its part; hosts have all */
 	TCS_ARRAY(uint32_t) links; /* parts, by part */
 	TCS_ARRAY(uint32_t) left; /* per component: parts that are there */
 	TCS_ARRAY(uint32_t) enclosed; /* per component: contacts of the kind */
@@ -68,6 +70,18 @@ enum tcs_status parts_find(struct parts *parts, const struct component_set *set,
  */
 enum tcs_status parts_take_away(struct parts *parts, uint32_t part, bool *gone,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Make some of them one, which is number `host` from then on: it has the faces
+ * and the links of all, carries what they carried, and stands on what the
+ * lowest of them stood on. None of them is gone, and together they are linked.
+ * Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status parts_join(struct parts *parts, const uint32_t *numbers,
+	size_t count, uint32_t host, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The part that a part is in by now. */
+uint32_t parts_host(const struct parts *parts, uint32_t part);
 
 void parts_release(struct parts *parts);
 

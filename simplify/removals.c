@@ -84,8 +84,8 @@ reach_from(struct reaching *reaching, struct tcs_point from,
 {
 	struct removals *removals = reaching->removals;
 	const struct parts *parts = &removals->parts;
-	uint32_t first = reaching->own[0].first_link;
-	uint32_t count = reaching->own[1].first_link - first;
+	uint32_t first = reaching->own->first_link;
+	uint32_t count = reaching->own->link_count;
 	uint32_t begin = reaching->nearest;
 	double least = box_diagonal(&reaching->own->box);
 	bool any = false;
@@ -418,6 +418,7 @@ removals_begin(struct removals *removals, struct collapses *work,
 	removals->work = work;
 	removals->list = contacts;
 	removals->all_seen = all_seen;
+	removals->reach = reach;
 	removals->far = FAR * box_diagonal(&work->set->bounds);
 	removals->contact_cost = contact_cost(work->set);
 	array_clear(&removals->visible);
@@ -446,14 +447,6 @@ removals_next_cost(const struct removals *removals)
 
 /* ---- taking away --------------------------------------------------------- */
 
-static uint32_t
-links_of(const struct parts *parts, uint32_t part)
-{
-	const struct part *own = &parts->at.at[part];
-
-	return own[1].first_link - own[0].first_link;
-}
-
 /* Those linked to a part that is gone have fewer contacts now. One with many
    links is judged when its turn comes, or judging would take too long. */
 static enum tcs_status
@@ -463,12 +456,11 @@ judge_linked(struct removals *removals, uint32_t gone, struct tcs_fault *fault)
 	const struct part *own = &parts->at.at[gone];
 	enum tcs_status status = TCS_OK;
 
-	for (uint32_t i = own[0].first_link; !status && i < own[1].first_link;
-		i++) {
-		uint32_t other = parts->links.at[i];
+	for (uint32_t i = 0; !status && i < own->link_count; i++) {
+		uint32_t other = parts->links.at[own->first_link + i];
 
 		if (!parts->at.at[other].gone &&
-			links_of(parts, other) <= MOST_LINKS)
+			parts->at.at[other].link_count <= MOST_LINKS)
 			status = judge(removals, other, fault);
 	}
 	return status;
@@ -505,6 +497,22 @@ removals_hide(struct removals *removals, uint32_t part, struct tcs_fault *fault)
 	removals->visible.at[part] = 0;
 	return removals->parts.at.at[part].gone ? TCS_OK
 						: judge(removals, part, fault);
+}
+
+enum tcs_status
+removals_join(struct removals *removals, const uint32_t *parts, size_t count,
+	uint32_t host, struct tcs_fault *fault)
+{
+	double visible = 0;
+
+	for (size_t i = 0; i < count; i++) {
+		visible += removals->visible.at[parts[i]];
+		node_queue_set(&removals->queue, parts[i], INFINITY);
+	}
+	removals->visible.at[host] = visible;
+	removals->distances.at[host] = removals->parts.at.at[host].depth;
+	removals->roots.at[host] = TCS_NONE;
+	return judge(removals, host, fault);
 }
 
 enum tcs_status

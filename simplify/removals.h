@@ -41,6 +41,7 @@ struct removals {
 	TCS_ARRAY(uint32_t) items; /* scratch: triangles of a part */
 	TCS_ARRAY(uint32_t) contacts; /* scratch: of one part */
 	TCS_ARRAY(uint32_t) held; /* scratch: per contact, points of it; or 0 */
+	double reach; /* metres: what counts as touching */
 	double far; /* metres from what stays: beyond it the price is steep */
 	double contact_cost; /* of one that breaks */
 	bool all_seen; /* without looking */
@@ -78,6 +79,13 @@ enum tcs_status removals_take(struct removals *removals, uint32_t part,
 
 /* The faces that a part still has. */
 uint32_t removals_faces(const struct removals *removals, uint32_t part);
+
+/*
+ * Parts became one, the host, see parts.h: it is as visible as all of them were.
+ * Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status removals_join(struct removals *removals, const uint32_t *parts,
+	size_t count, uint32_t host, struct tcs_fault *fault) TCS_CHECKED;
 
 /* A part is not seen any more. Fails with TCS_NO_MEMORY. */
 enum tcs_status removals_hide(struct removals *removals, uint32_t part,

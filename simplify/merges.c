@@ -1,0 +1,313 @@
+#include "merges.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Metres: what is less off is not worth a look yet. */
+#define LEAST_OFF 0.01
+
+/* Of the faces that an object came with, no more than this share goes beyond
+   what is wanted. */
+#define MOST_BELOW 0.005
+
+/* What is empty may be less than it seems: groups know no slanting boxes. */
+#define EMPTY_SHARE 0.5
+
+/* ---- finding ------------------------------------------------------------- */
+
+/* What a group may cost, if it does not fit exactly: nothing is looked at before
+   that is dear. What is empty is taken to be spread over the surface. */
+static double
+least_price(const struct merges *merges, const struct merge_group *group)
+{
+	const struct parts *parts = &merges->removals->parts;
+	double area = 0, faces = 0, off;
+
+	for (uint32_t i = 0; i < group->count; i++) {
+		const struct part *own =
+			&parts->at
+				 .at[merges->groups.parts.at[group->first + i]];
+
+		area += own->area;
+		faces += own->count;
+	}
+	off = fmax(LEAST_OFF, EMPTY_SHARE * group->empty / area);
+	return HIDDEN_SHARE * area * off * off / (0.5 * faces);
+}
+
+enum tcs_status
+merges_find(struct merges *merges, struct component_set *set,
+	struct collapses *work, struct removals *removals,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = merge_groups_find(
+		&merges->groups, work, &removals->parts, fault);
+	size_t count = merges->groups.at.count;
+
+	merges->set = set;
+	merges->work = work;
+	merges->removals = removals;
+	merges->joined = 0;
+	array_clear(&merges->features);
+	array_clear(&merges->postponed);
+	array_clear(&merges->known);
+	if (!status && array_grow(&merges->known, count))
+		status = fault_memory(fault);
+	if (!status)
+		status = node_queue_reset(&merges->queue, count, fault);
+	if (!status)
+		status = merge_pricing_begin(&merges->pricing, removals, fault);
+	if (status)
+		return status;
+	merges->known.count = count;
+	for (size_t i = 0; i < count; i++)
+		merges->known.at[i] = (struct merge_known){.parts = 0};
+	/* What is watched cannot be refilled. */
+	for (uint32_t i = 0; !(work->settings.max_error > 0) && i < count; i++)
+		node_queue_set(&merges->queue, i,
+			least_price(merges, &merges->groups.at.at[i]));
+	return TCS_OK;
+}
+
+enum tcs_status
+merges_aim(struct merges *merges, size_t target, struct tcs_fault *fault)
+{
+	size_t slack =
+		(size_t)((double)merges->work->features.count * MOST_BELOW);
+
+	merges->least = target > slack ? target - slack : 0;
+	for (size_t i = 0; i < merges->postponed.count; i++) {
+		const struct queue_entry *own = &merges->postponed.at[i];
+
+		node_queue_set(&merges->queue, own->node, own->cost);
+	}
+	merges->postponed.count = 0;
+	/* There is room for all of them. */
+	return array_grow(&merges->postponed, merges->known.count)
+		? fault_memory(fault)
+		: TCS_OK;
+}
+
+double
+merges_next_cost(const struct merges *merges)
+{
+	const struct queue_entry *first = node_queue_first(&merges->queue);
+
+	return first ? first->cost : INFINITY;
+}
+
+/* What would save more than is wanted waits for the next level. */
+static bool
+saves_too_much(const struct merges *merges)
+{
+	const struct merge_plan *plan = &merges->plan;
+
+	return merges->work->face_count < merges->least + plan->faces.count -
+		PRISM_TRIANGLES_OF(plan->prism.sides);
+}
+
+static void
+postpone(struct merges *merges, struct queue_entry own)
+{
+	merges->postponed.at[merges->postponed.count++] = own;
+	node_queue_set(&merges->queue, own.node, INFINITY);
+}
+
+/* ---- the price ----------------------------------------------------------- */
+
+/* Of what is planned; INFINITY if it must not be. What it would be if nothing
+   broke is known before anything is looked for. */
+static enum tcs_status
+price_of(struct merges *merges, uint32_t number, double seemed, double *price,
+	struct tcs_fault *fault)
+{
+	const struct merge_plan *plan = &merges->plan;
+	struct merge_known *known = &merges->known.at[number];
+	double saved = (double)plan->faces.count -
+		PRISM_TRIANGLES_OF(plan->prism.sides);
+	enum tcs_status status = TCS_OK;
+	double harm = 0, shape;
+	bool fine = true;
+
+	if (known->shape < 0)
+		status = merge_shape_cost(plan, &merges->pricing,
+			merges->removals, &known->shape, fault);
+	if (status)
+		return status;
+	shape = fmax(known->shape - merge_paid(plan, &merges->pricing), 0);
+	*price = shape / (0.5 * saved);
+	if (*price > seemed)
+		return TCS_OK;
+	status = merge_harm(
+		plan, &merges->pricing, merges->removals, &harm, &fine, fault);
+	*price = fine ? (shape + harm * merges->removals->contact_cost) /
+			(0.5 * saved)
+		      : INFINITY;
+	return status;
+}
+
+/* ---- making them one ------------------------------------------------------ */
+
+static int
+by_number(const void *left, const void *right)
+{
+	const uint32_t *a = left, *b = right;
+
+	return (*a > *b) - (*a < *b);
+}
+
+/* The contacts of the points that the parts hold, one for each. */
+static enum tcs_status
+list_contacts(struct merges *merges, struct tcs_fault *fault)
+{
+	const struct seams *seams = merges->work->seams;
+	const struct merge_plan *plan = &merges->plan;
+
+	merges->contacts.count = 0;
+	for (size_t i = 0; i < plan->faces.count; i++)
+		for (uint32_t hold = seams->faces.at[plan->faces.at[i]];
+			hold != TCS_NONE; hold = seams->holds.at[hold].next) {
+			if (array_grow(&merges->contacts, 1))
+				return fault_memory(fault);
+			merges->contacts.at[merges->contacts.count++] =
+				seams->points.at[hold / 2].contact;
+		}
+	if (merges->contacts.count > 0)
+		qsort(merges->contacts.at, merges->contacts.count,
+			sizeof(uint32_t), by_number);
+	return TCS_OK;
+}
+
+/* Contacts all points of which stand within the prism now are its own. */
+static void
+enclose(struct merges *merges)
+{
+	struct removals *removals = merges->removals;
+	struct parts *parts = &removals->parts;
+	uint32_t host = parts->at.at[merges->plan.host].component;
+
+	for (size_t i = 0; i < merges->plan.parts.count; i++) {
+		uint32_t own = parts->at.at[merges->plan.parts.at[i]].component;
+
+		if (own == host || parts->left.at[own] > 0)
+			continue;
+		parts->enclosed.at[host] += parts->enclosed.at[own];
+		parts->enclosed.at[own] = 0;
+	}
+	for (size_t i = 0; i < merges->contacts.count; i++) {
+		uint32_t number = merges->contacts.at[i];
+
+		if ((i == 0 || number != merges->contacts.at[i - 1]) &&
+			merges->work->seams->counts.at[number].points == 0)
+			parts->enclosed.at[host]++;
+	}
+}
+
+static enum tcs_status
+join_parts(struct merges *merges, struct tcs_fault *fault)
+{
+	const struct merge_plan *plan = &merges->plan;
+	struct removals *removals = merges->removals;
+	struct part *host = &removals->parts.at.at[plan->host];
+	enum tcs_status status = parts_join(&removals->parts, plan->parts.at,
+		plan->parts.count, plan->host, fault);
+
+	if (status)
+		return status;
+	host->rebuilt = true;
+	host->depth = host->area > 0 ? 3 * plan->prism.volume / host->area : 0;
+	for (unsigned i = 0; i < 2 * plan->prism.sides; i++)
+		box_add_point(&host->box, plan->prism.corners[i]);
+	enclose(merges);
+	return removals_join(
+		removals, plan->parts.at, plan->parts.count, plan->host, fault);
+}
+
+static enum tcs_status
+merge(struct merges *merges, uint32_t number, struct tcs_fault *fault)
+{
+	const struct merge_plan *plan = &merges->plan;
+	struct refill refill = merge_plan_refill(plan);
+	struct collapses *work = merges->work;
+	uint32_t feature = work->features.at[plan->faces.at[0]];
+	uint32_t component =
+		work->set->numbers
+			.at[work->sheets->face_triangles.at[plan->numbers[0]]];
+	enum tcs_status status = list_contacts(merges, fault);
+
+	node_queue_set(&merges->queue, number, INFINITY);
+	if (!status && array_grow(&merges->features, 1))
+		status = fault_memory(fault);
+	if (status)
+		return status;
+	merges->features.at[merges->features.count++] = feature;
+	merges->pricing.paid.at[plan->host] = merges->known.at[number].shape;
+	merges->joined += plan->parts.count - 1;
+	for (unsigned i = 0; i < 2 * plan->prism.sides; i++)
+		component_set_enlarge(
+			merges->set, component, plan->prism.corners[i]);
+	status = collapses_refill(work, &refill, fault);
+	return status ? status : join_parts(merges, fault);
+}
+
+enum tcs_status
+merges_try(struct merges *merges, struct tcs_fault *fault)
+{
+	struct queue_entry first = *node_queue_first(&merges->queue);
+	enum tcs_status status = removals_look(merges->removals, fault);
+	double price = INFINITY;
+	bool fine = false;
+
+	if (!status)
+		status = merge_plan_make(&merges->plan, merges->work,
+			merges->removals, &merges->groups, first.node,
+			&merges->known.at[first.node], &fine, fault);
+	if (!status && fine && saves_too_much(merges)) {
+		postpone(merges, first);
+		return TCS_OK;
+	}
+	if (!status && fine)
+		status =
+			price_of(merges, first.node, first.cost, &price, fault);
+	if (status)
+		return status;
+	if (price <= first.cost)
+		return merge(merges, first.node, fault);
+	node_queue_set(&merges->queue, first.node, price);
+	return TCS_OK;
+}
+
+size_t
+merges_features(struct merges *merges, const uint32_t **features)
+{
+	uint32_t *at = merges->features.at;
+	size_t kept = 0;
+
+	if (merges->features.count > 0)
+		qsort(at, merges->features.count, sizeof *at, by_number);
+	for (size_t i = 0; i < merges->features.count; i++)
+		if (i == 0 || at[i] != at[kept - 1])
+			at[kept++] = at[i];
+	merges->features.count = kept;
+	*features = at;
+	return kept;
+}
+
+void
+merges_end(struct merges *merges)
+{
+	merge_groups_release(&merges->groups);
+	array_release(&merges->known);
+	node_queue_release(&merges->queue);
+	merge_plan_release(&merges->plan);
+	merge_pricing_release(&merges->pricing);
+	array_release(&merges->contacts);
+	array_release(&merges->postponed);
+}
+
+void
+merges_release(struct merges *merges)
+{
+	merges_end(merges);
+	array_release(&merges->features);
+}
