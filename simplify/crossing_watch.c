@@ -9,10 +9,12 @@
    crossing, for it adds up over the corners. */
 #define IN_PLANE 1e-5
 
-/* Contacts that it is worth not to go through another component: where nothing
-   may, whole parts go instead, and of a steel frame at a fifth of its triangles
-   four contacts in ten. */
-#define CROSSING_WORTH 0.5
+/* Contacts that it is worth not to go through another component: next to
+   nothing for a collapse, which pays for how far it moves the surface, or where
+   bevels of a few millimetres may not go outlines do; much for what closes a
+   hole, which runs through all that stands in it. */
+#define COLLAPSE_CROSSES 0.0005
+#define REFILL_CROSSES 0.5
 
 /* Metres: faces that only touch a ring are not even listed. */
 #define INSET (CROSSING_DEPTH / 10)
@@ -313,7 +315,7 @@ crossing_watch_allows(struct collapses *work, uint32_t node, uint32_t target,
 			continue;
 		*fine = component != own &&
 			work->settings.contact_cost < INFINITY;
-		work->broken += CROSSING_WORTH;
+		work->broken += COLLAPSE_CROSSES;
 	}
 	return status;
 }
@@ -411,7 +413,7 @@ crossing_watch_admits(struct collapses *work, const struct refill *refill,
 		if (!crosses || crossed)
 			continue;
 		*fine = component != own;
-		work->broken += CROSSING_WORTH;
+		work->broken += REFILL_CROSSES;
 	}
 	return status;
 }

@@ -77,6 +77,57 @@ other_components_are_gone_through_at_a_price(void)
 	}
 }
 
+/* What it breaks to put a square over the foot of the pyramid instead of it. */
+static double
+broken_by_a_floor(struct collapse_sample *sample)
+{
+	static const struct collapse_settings priced = {
+		.base_ratio = 2, .contact_cost = 1};
+	const uint32_t faces[4] = {0, 1, 2, 3};
+	static const int around[6] = {0, 1, 2, 2, 3, 0};
+	uint32_t corners[6];
+	struct refill refill = {.faces = faces,
+		.face_count = 4,
+		.corners = corners,
+		.count = 2};
+	struct tcs_fault fault;
+	double broken;
+	bool fine;
+
+	sample_begin(sample, &priced);
+	for (int i = 0; i < 6; i++)
+		corners[i] = sample->sheets.corners.at[3 * around[i] + 1];
+	CHECK(!crossing_watch_admits(&sample->work, &refill, &fine, &fault));
+	CHECK(fine);
+	broken = sample->work.broken;
+	sample_release(sample);
+	return broken;
+}
+
+static void
+closing_goes_through_others_for_more_than_a_collapse(void)
+{
+	static const struct collapse_settings priced = {
+		.base_ratio = 2, .contact_cost = 1};
+	double collapse;
+
+	for (int deep = 0; deep < 2; deep++) {
+		struct collapse_sample samples[2] = {0};
+
+		for (int i = 0; i < 2; i++) {
+			add_pyramid(&samples[i]);
+			sample_add_box(&samples[i], 2,
+				(struct tcs_point){1.2, 0.9, deep ? 0.1 : -0.1},
+				(struct tcs_point){0.2, 0.2, 0.2});
+		}
+		CHECK(breaks_flat(&samples[0], &priced, &collapse));
+		if (deep)
+			CHECK(!(broken_by_a_floor(&samples[1]) > 0));
+		else
+			CHECK(broken_by_a_floor(&samples[1]) > 100 * collapse);
+	}
+}
+
 /* Only at a corner, so that it is another sheet of the same component. */
 static void
 add_fin(struct collapse_sample *sample, double top)
@@ -179,6 +230,7 @@ shells_stay_one_in_the_other(void)
 static const struct check_test tests[] = {
 	CHECK_TEST(other_components_are_not_gone_through),
 	CHECK_TEST(other_components_are_gone_through_at_a_price),
+	CHECK_TEST(closing_goes_through_others_for_more_than_a_collapse),
 	CHECK_TEST(the_own_component_is_not_gone_through),
 	CHECK_TEST(what_was_gone_through_may_be),
 	CHECK_TEST(shells_stay_one_in_the_other),
