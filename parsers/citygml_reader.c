@@ -172,6 +172,13 @@ gml_north_first(struct gml_reader *reader, uint32_t system,
 
 /* ---- bounds -------------------------------------------------------------- */
 
+/* The object of the appearances' pass is none of the model's. */
+static bool
+is_in_object(const struct gml_reader *reader)
+{
+	return reader->raw && reader->pass == PASS_OBJECTS;
+}
+
 /* gml:boundedBy with a CityGML 0.4 file's habits: surfaces may stand in it. */
 static enum tcs_status
 bounds_child(struct gml_reader *reader, struct name *name,
@@ -183,7 +190,7 @@ bounds_child(struct gml_reader *reader, struct name *name,
 	enum tcs_status status;
 	uint32_t system;
 
-	if (name->kind == NAME_FEATURE && reader->raw)
+	if (name->kind == NAME_FEATURE && is_in_object(reader))
 		return feature_begin(reader, name, attributes, count, fault);
 	status = gml_push(reader, name, ROLE_BOUNDS, &frame, fault);
 	if (status)
@@ -197,7 +204,7 @@ bounds_child(struct gml_reader *reader, struct name *name,
 		reader, srs_name->value, srs_name->length, &system, fault);
 	if (status)
 		return status;
-	if (!reader->raw)
+	if (!is_in_object(reader))
 		reader->model_srs = system;
 	else if (frame->feature == 0)
 		reader->object_srs = system;
@@ -209,7 +216,7 @@ bounds_end(struct gml_reader *reader, const struct frame *frame)
 {
 	bool upper;
 
-	if (reader->raw || !frame->wants_text)
+	if (is_in_object(reader) || !frame->wants_text)
 		return;
 	upper = frame->name->kind == NAME_ENVELOPE_CORNER
 		? frame->name->local[0] == 'u'
