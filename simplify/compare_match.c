@@ -426,8 +426,9 @@ is_within(const struct matching *matching, uint32_t root,
 				&after->set.tree, shell->root, point));
 }
 
-/* Where its first corner went, if the surfaces of its own features pass by all
-   corners, or a closed component of them encloses those that they do not. */
+/* Where its first corner went, if the surfaces of its own features pass by the
+   corners and centres of all its triangles, or a closed component of them
+   encloses those that they do not. */
 static uint32_t
 find_cover(const struct matching *matching, uint32_t number)
 {
@@ -439,17 +440,16 @@ find_cover(const struct matching *matching, uint32_t number)
 
 	for (uint32_t i = 0; i < component->count; i++) {
 		uint32_t root = tree_for(before, order[i], after);
-		struct triangle_shape shape =
-			component_set_shape(&before->set, order[i]);
+		struct marks marks = marks_of(&before->set, order[i]);
 
 		if (root == NO_TREE)
 			return TCS_NONE;
 		if (shell.component == TCS_NONE)
-			shell = nearest_shell(matching, root, shape.corner[0]);
-		for (int k = 0; k < 3; k++)
+			shell = nearest_shell(matching, root, marks.at[0]);
+		for (int k = 0; k < 4; k++)
 			if (!is_within(matching, root,
 				    &after->set.components.at[shell.component],
-				    shape.corner[k]))
+				    marks.at[k]))
 				return TCS_NONE;
 	}
 	return shell.piece;

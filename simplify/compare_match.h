@@ -33,9 +33,10 @@ struct match_piece {
  * them that come from another one are a region of that, if one of them has a
  * feature that it alone had, or if no component comes from it and they have a
  * tenth of its area. One before that nothing comes from was swallowed if the
- * surfaces of its own features after pass within eps of all its corners, or the
- * closed component of them that is nearest to its first corner encloses those
- * that they do not: its image is the piece that its first corner went to.
+ * surfaces of its own features after pass within eps of the corners and centres
+ * of all its triangles, or the closed component of them that is nearest to the
+ * first corner encloses those that they do not: its image is the piece that its
+ * first corner went to.
  *
  * All zero is empty; reused from object to object.
  */

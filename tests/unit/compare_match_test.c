@@ -172,6 +172,29 @@ a_part_inside_a_solid_of_its_feature_is_there(void)
 	object_release(&b);
 }
 
+/* The frame of a window stays, and passes by all corners of the pane. */
+static void
+a_part_whose_middle_nothing_passes_is_lost(void)
+{
+	static const double bars[4][2][3] = {{{0, 0, 0}, {1, 0.05, 0.1}},
+		{{0, 0, 0.9}, {1, 0.05, 1}}, {{0, 0, 0.11}, {0.1, 0.05, 0.89}},
+		{{0.9, 0, 0.11}, {1, 0.05, 0.89}}};
+	struct tcs_object a = {0}, b = {0};
+	struct outcome out;
+
+	begin(&a);
+	begin(&b);
+	for (int i = 0; i < 4; i++) {
+		put_box(&a, 1, bars[i][0], bars[i][1]);
+		put_box(&b, 1, bars[i][0], bars[i][1]);
+	}
+	put_box(&a, 1, (double[]){0.1, 0, 0.1}, (double[]){0.9, 0.008, 0.9});
+	out = compare(&a, &b);
+	CHECK(is(out.before, 5) && is(out.after, 4) && is(out.lost, 1));
+	object_release(&a);
+	object_release(&b);
+}
+
 static void
 a_part_of_one_feature_that_is_gone_is_lost(void)
 {
@@ -423,6 +446,7 @@ main(void)
 	static const struct check_test tests[] = {
 		CHECK_TEST(parts_of_one_feature_that_become_one_are_there),
 		CHECK_TEST(a_part_inside_a_solid_of_its_feature_is_there),
+		CHECK_TEST(a_part_whose_middle_nothing_passes_is_lost),
 		CHECK_TEST(a_part_of_one_feature_that_is_gone_is_lost),
 		CHECK_TEST(a_part_may_become_two),
 		CHECK_TEST(a_part_may_become_one_and_a_region_of_another),
