@@ -13,7 +13,8 @@
 #include "collapses.h"
 
 #include <math.h>
-#include <stdlib.h>
+
+#include "number_sort.h"
 
 /* Metres: no face may become thinner than this, or than it was. */
 #define LEAST_HEIGHT 1e-4
@@ -348,20 +349,10 @@ collect_neighbours(struct collapses *work, size_t count, uint32_t target,
 	return TCS_OK;
 }
 
-static int
-by_number(const void *left, const void *right)
-{
-	const uint32_t *a = left, *b = right;
-
-	return (*a > *b) - (*a < *b);
-}
-
 static bool
 is_pinched(struct collapses *work)
 {
-	if (work->apart.count > 1)
-		qsort(work->apart.at, work->apart.count, sizeof *work->apart.at,
-			by_number);
+	number_sort(work->apart.at, work->apart.count);
 	for (size_t i = 1; i < work->apart.count; i++)
 		if (work->apart.at[i] == work->apart.at[i - 1])
 			return true;

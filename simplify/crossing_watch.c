@@ -1,9 +1,8 @@
 #include "crossing_watch.h"
 
-#include <stdlib.h>
-
 #include "collapses.h"
 #include "crossing.h"
+#include "number_sort.h"
 
 /* Metres: so near to its plane a face is in it; well below what counts as
    crossing, for it adds up over the corners. */
@@ -322,14 +321,6 @@ crossing_watch_allows(struct collapses *work, uint32_t node, uint32_t target,
 
 /* ---- triangles instead of faces ------------------------------------------ */
 
-static int
-by_number(const void *left, const void *right)
-{
-	const uint32_t *a = left, *b = right;
-
-	return (*a > *b) - (*a < *b);
-}
-
 /* Put the triangles, and then the faces that go, into work->ring. */
 static enum tcs_status
 list_refill(struct collapses *work, const struct refill *refill,
@@ -375,8 +366,7 @@ refill_crosses(struct collapses *work, const struct refill *refill,
 		uint32_t face = watch->near.at[i];
 		struct ring_face other;
 
-		if (!bsearch(&face, refill->faces, refill->face_count,
-			    sizeof face, by_number))
+		if (!number_is_among(refill->faces, refill->face_count, face))
 			*crosses = face_with(work, face, nowhere, &other) &&
 				crosses_any(bundle, &other);
 	}

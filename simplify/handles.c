@@ -1,10 +1,10 @@
 #include "handles.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "handle_price.h"
 #include "inner_outlines.h"
+#include "number_sort.h"
 
 /* ---- finding ------------------------------------------------------------- */
 
@@ -174,14 +174,6 @@ volume_added(const struct handles *handles)
 	return volume;
 }
 
-static int
-by_number(const void *left, const void *right)
-{
-	const uint32_t *a = left, *b = right;
-
-	return (*a > *b) - (*a < *b);
-}
-
 /* The contacts of the points that the faces hold, one for each. */
 static enum tcs_status
 list_contacts(struct handles *handles, struct tcs_fault *fault)
@@ -198,9 +190,7 @@ list_contacts(struct handles *handles, struct tcs_fault *fault)
 			handles->held.at[handles->held.count++] =
 				seams->points.at[hold / 2].contact;
 		}
-	if (handles->held.count > 0)
-		qsort(handles->held.at, handles->held.count,
-			sizeof *handles->held.at, by_number);
+	number_sort(handles->held.at, handles->held.count);
 	return TCS_OK;
 }
 

@@ -1,8 +1,7 @@
 #include "merge_plan.h"
 
-#include <stdlib.h>
-
 #include "face_directions.h"
+#include "number_sort.h"
 
 /* Faces, as they came, of all parts: more are not looked at. */
 enum { MOST_FACES = 1 << 14 };
@@ -13,14 +12,6 @@ enum { MOST_AXES = 3 };
 /* Another axis has to save as much of the volume. */
 #define BETTER_VOLUME 0.99
 
-static int
-by_number(const void *left, const void *right)
-{
-	const uint32_t *a = left, *b = right;
-
-	return (*a > *b) - (*a < *b);
-}
-
 /* ---- the parts ----------------------------------------------------------- */
 
 /* In order, each once. */
@@ -29,9 +20,7 @@ sort_parts(struct merge_plan *plan)
 {
 	size_t kept = 0;
 
-	if (plan->parts.count > 0)
-		qsort(plan->parts.at, plan->parts.count, sizeof(uint32_t),
-			by_number);
+	number_sort(plan->parts.at, plan->parts.count);
 	for (size_t i = 0; i < plan->parts.count; i++)
 		if (i == 0 || plan->parts.at[i] != plan->parts.at[kept - 1])
 			plan->parts.at[kept++] = plan->parts.at[i];
@@ -91,12 +80,8 @@ list_faces(struct merge_plan *plan, const struct collapses *work,
 		}
 	}
 	*fine = *fine && plan->slots.count <= MOST_FACES;
-	if (plan->faces.count > 0)
-		qsort(plan->faces.at, plan->faces.count, sizeof(uint32_t),
-			by_number);
-	if (plan->slots.count > 0)
-		qsort(plan->slots.at, plan->slots.count, sizeof(uint32_t),
-			by_number);
+	number_sort(plan->faces.at, plan->faces.count);
+	number_sort(plan->slots.at, plan->slots.count);
 	return TCS_OK;
 }
 
@@ -149,9 +134,9 @@ is_free(const struct merge_plan *plan, struct collapses *work,
 			uint32_t face = work->spokes.at[i].face;
 
 			if (face != HALF_EDGE_NONE &&
-				!bsearch(&parts->numbers.at[face],
-					plan->parts.at, plan->parts.count,
-					sizeof(uint32_t), by_number))
+				!number_is_among(plan->parts.at,
+					plan->parts.count,
+					parts->numbers.at[face]))
 				*free = false;
 		}
 	}
@@ -174,7 +159,7 @@ list_vertices(struct merge_plan *plan, struct collapses *work,
 		plan->vertices.at[i] =
 			work->sheets->corners
 				.at[3 * (size_t)plan->slots.at[i / 3] + i % 3];
-	qsort(plan->vertices.at, corners, sizeof(uint32_t), by_number);
+	number_sort(plan->vertices.at, corners);
 	/* Those of a node stand together. */
 	for (size_t i = 0; !status && i < corners && kept < PRISM_CORNERS;
 		i++) {
@@ -392,8 +377,7 @@ add_swallowed(struct merge_plan *plan, const struct collapses *work,
 
 			if (there->gone ||
 				groups->families.at[other] != family ||
-				bsearch(&other, plan->parts.at, count,
-					sizeof other, by_number) ||
+				number_is_among(plan->parts.at, count, other) ||
 				!lies_within(plan, work, removals, there))
 				continue;
 			if (array_grow(&plan->parts, 1))

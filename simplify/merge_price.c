@@ -1,7 +1,6 @@
 #include "merge_price.h"
 
-#include <stdlib.h>
-
+#include "number_sort.h"
 #include "vector.h"
 
 /* Samples of a triangle: so many by so many smaller ones have their centres
@@ -354,20 +353,12 @@ merge_shape_cost(const struct merge_plan *plan, struct merge_pricing *pricing,
 
 /* ---- what breaks --------------------------------------------------------- */
 
-static int
-by_number(const void *left, const void *right)
-{
-	const uint32_t *a = left, *b = right;
-
-	return (*a > *b) - (*a < *b);
-}
-
 static bool
 is_among(
 	const struct merge_plan *plan, const struct parts *parts, uint32_t face)
 {
-	return bsearch(&parts->numbers.at[face], plan->parts.at,
-		       plan->parts.count, sizeof(uint32_t), by_number) != NULL;
+	return number_is_among(
+		plan->parts.at, plan->parts.count, parts->numbers.at[face]);
 }
 
 /* Whether a point that a face of the parts holds is far from the prism: as it
@@ -405,9 +396,7 @@ list_swallowed(const struct merge_plan *plan, struct merge_pricing *pricing,
 			pricing->swallowed.at[pricing->swallowed.count++] =
 				seams->points.at[hold / 2].contact;
 		}
-	if (pricing->swallowed.count > 0)
-		qsort(pricing->swallowed.at, pricing->swallowed.count,
-			sizeof(uint32_t), by_number);
+	number_sort(pricing->swallowed.at, pricing->swallowed.count);
 	return TCS_OK;
 }
 

@@ -1,7 +1,8 @@
 #include "merges.h"
 
 #include <math.h>
-#include <stdlib.h>
+
+#include "number_sort.h"
 
 /* Metres: what is less off is not worth a look yet. */
 #define LEAST_OFF 0.01
@@ -148,14 +149,6 @@ price_of(struct merges *merges, uint32_t number, double seemed, double *price,
 
 /* ---- making them one ------------------------------------------------------ */
 
-static int
-by_number(const void *left, const void *right)
-{
-	const uint32_t *a = left, *b = right;
-
-	return (*a > *b) - (*a < *b);
-}
-
 /* The contacts of the points that the parts hold, one for each. */
 static enum tcs_status
 list_contacts(struct merges *merges, struct tcs_fault *fault)
@@ -172,9 +165,7 @@ list_contacts(struct merges *merges, struct tcs_fault *fault)
 			merges->contacts.at[merges->contacts.count++] =
 				seams->points.at[hold / 2].contact;
 		}
-	if (merges->contacts.count > 0)
-		qsort(merges->contacts.at, merges->contacts.count,
-			sizeof(uint32_t), by_number);
+	number_sort(merges->contacts.at, merges->contacts.count);
 	return TCS_OK;
 }
 
@@ -283,8 +274,7 @@ merges_features(struct merges *merges, const uint32_t **features)
 	uint32_t *at = merges->features.at;
 	size_t kept = 0;
 
-	if (merges->features.count > 0)
-		qsort(at, merges->features.count, sizeof *at, by_number);
+	number_sort(at, merges->features.count);
 	for (size_t i = 0; i < merges->features.count; i++)
 		if (i == 0 || at[i] != at[kept - 1])
 			at[kept++] = at[i];

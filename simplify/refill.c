@@ -6,6 +6,8 @@
 
 #include <stdlib.h>
 
+#include "number_sort.h"
+
 static enum tcs_status
 know_sources(struct collapses *work, struct tcs_fault *fault)
 {
@@ -192,14 +194,6 @@ move_seams(struct collapses *work, const struct refill *refill,
 
 /* ---- all of it ----------------------------------------------------------- */
 
-static int
-by_number(const void *left, const void *right)
-{
-	const uint32_t *a = left, *b = right;
-
-	return (*a > *b) - (*a < *b);
-}
-
 /* The nodes of the faces, and those next to them. */
 static enum tcs_status
 judge_touched(struct collapses *work, struct tcs_fault *fault)
@@ -208,8 +202,7 @@ judge_touched(struct collapses *work, struct tcs_fault *fault)
 	size_t own = work->touched.count, count;
 	enum tcs_status status = TCS_OK;
 
-	if (own > 0)
-		qsort(nodes, own, sizeof *nodes, by_number);
+	number_sort(nodes, own);
 	for (size_t i = 0; !status && i < own; i++)
 		if (i == 0 || nodes[i] != nodes[i - 1])
 			status = collapses_weigh_node(work, nodes[i], fault);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number_sort.h"
 #include "split_work.h"
 #include "vector.h"
 
@@ -177,14 +178,6 @@ take_other(void *context, uint32_t position)
 	return !search->failed;
 }
 
-static int
-by_number(const void *left, const void *right)
-{
-	const uint32_t *a = left, *b = right;
-
-	return (*a > *b) - (*a < *b);
-}
-
 /* Every pair of components is looked at from the one with the lower number. */
 static enum tcs_status
 look_around(struct search *search, uint32_t component)
@@ -199,9 +192,7 @@ look_around(struct search *search, uint32_t component)
 		take_other, search);
 	if (search->failed)
 		return fault_memory(search->fault);
-	if (search->others.count > 1)
-		qsort(search->others.at, search->others.count,
-			sizeof *search->others.at, by_number);
+	number_sort(search->others.at, search->others.count);
 	for (size_t i = 0; !status && i < search->others.count; i++) {
 		search->pairs.at[search->pairs.count++] =
 			(struct box_pair){component, search->others.at[i]};
