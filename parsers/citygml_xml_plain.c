@@ -68,7 +68,7 @@ are_characters(const char *at, size_t length)
 
 	if (!utf8_valid(at, length))
 		return false;
-	for (; (at = memchr(at, '\xef', (size_t)(end - at))); at++)
+	for (; (at = memchr(at, 0xef, (size_t)(end - at))); at++)
 		if (at[1] == '\xbf' && (unsigned char)at[2] >= 0xbe)
 			return false;
 	return true;
