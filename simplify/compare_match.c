@@ -395,8 +395,8 @@ divide_components(struct matching *matching, struct tcs_fault *fault)
 
 /* ---- images -------------------------------------------------------------- */
 
-/* The component after of its own features that is nearest to the point, and
-   where on it; TCS_NONE. */
+/* A component after, and the piece of it that is nearest to a point; TCS_NONE
+   before it is known. */
 struct shell {
 	uint32_t component, piece;
 };
