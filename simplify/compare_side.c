@@ -221,6 +221,8 @@ side_load(struct compare_side *side, const struct tcs_object *object,
 		side->roots.at[i] = side->twins.at[i] = TCS_NONE;
 	if (object)
 		status = selection_make(&side->selection, object, lod, fault);
+	if (object && !status)
+		status = component_set_host(&side->set, object, fault);
 	for (size_t i = 0; object && !status && i < object->geometries.count;
 		i++)
 		if (side->selection.geometries.at[i])

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "components.h"
+#include "labels.h"
 #include "vector.h"
 #include "weld.h"
 
@@ -26,6 +27,40 @@ component_set_add(struct component_set *set, const struct tcs_point corners[3],
 	set->triangles.at[set->triangles.count++] =
 		(struct tcs_triangle){{first, first + 1, first + 2}};
 	set->features.at[set->features.count++] = feature;
+	return TCS_OK;
+}
+
+static bool
+bounds_its_parent(
+	const struct tcs_object *object, const struct tcs_feature *own)
+{
+	enum label_kind kind = label_of(own->class)->kind, above;
+
+	if (own->parent == TCS_NONE || kind == LABEL_SURFACE)
+		return own->parent != TCS_NONE;
+	above = label_of(object->features.at[own->parent].class)->kind;
+	return kind == LABEL_OPENING &&
+		(above == LABEL_SURFACE || above == LABEL_OPENING);
+}
+
+enum tcs_status
+component_set_host(struct component_set *set, const struct tcs_object *object,
+	struct tcs_fault *fault)
+{
+	size_t count = object->features.count;
+
+	array_clear(&set->hosts);
+	if (array_grow(&set->hosts, count))
+		return fault_memory(fault);
+	set->hosts.count = count;
+	for (uint32_t i = 0; i < count; i++) {
+		const struct tcs_feature *own = &object->features.at[i];
+
+		/* Parents stand before their children. */
+		set->hosts.at[i] = bounds_its_parent(object, own)
+			? set->hosts.at[own->parent]
+			: i;
+	}
 	return TCS_OK;
 }
 
@@ -91,8 +126,9 @@ find_components(struct component_set *set, struct tcs_fault *fault)
 		status = fault_memory(fault);
 	if (!status)
 		status = components_find(set->triangles.at, set->features.at,
-			count, set->points.count, &set->edges, set->numbers.at,
-			&found, fault);
+			set->hosts.count ? set->hosts.at : NULL, count,
+			set->points.count, &set->edges, set->numbers.at, &found,
+			fault);
 	if (!status && array_grow(&set->components, found))
 		status = fault_memory(fault);
 	if (status)
@@ -255,6 +291,7 @@ component_set_clear(struct component_set *set)
 	array_clear(&set->points);
 	array_clear(&set->triangles);
 	array_clear(&set->features);
+	array_clear(&set->hosts);
 	array_clear(&set->numbers);
 	array_clear(&set->order);
 	array_clear(&set->components);
@@ -272,6 +309,7 @@ component_set_release(struct component_set *set)
 	array_release(&set->points);
 	array_release(&set->triangles);
 	array_release(&set->features);
+	array_release(&set->hosts);
 	array_release(&set->numbers);
 	array_release(&set->order);
 	array_release(&set->components);

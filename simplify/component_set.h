@@ -23,6 +23,7 @@ struct component_set {
 	TCS_ARRAY(struct tcs_point) points;
 	TCS_ARRAY(struct tcs_triangle) triangles;
 	TCS_ARRAY(uint32_t) features; /* of each triangle */
+	TCS_ARRAY(uint32_t) hosts; /* of each feature; empty: each is its own */
 	TCS_ARRAY(uint32_t) numbers; /* the component of each triangle */
 	TCS_ARRAY(uint32_t) order; /* triangles, component by component */
 	TCS_ARRAY(struct component) components;
@@ -40,6 +41,13 @@ struct component_set {
 enum tcs_status component_set_add(struct component_set *set,
 	const struct tcs_point corners[3], uint32_t feature,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * Whose surfaces an object's features are (components.h), for the triangles
+ * that will have them. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status component_set_host(struct component_set *set,
+	const struct tcs_object *object, struct tcs_fault *fault) TCS_CHECKED;
 
 /*
  * Once all are there: weld, find the components, grow the trees. Points are

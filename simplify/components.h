@@ -1,9 +1,13 @@
 /*
  * The components of a mesh: triangles joined by a shared point inside one
- * feature, or by an edge that exactly two triangles use across features.
+ * feature, or across features by an edge that exactly two triangles use, of all
+ * or of those of one host: the building part, say, whose walls, roofs and
+ * closures they are.
  *
  * Joining all that share a point, whatever their features, would make one
- * component of solids that merely touch at a corner or along an edge.
+ * component of solids that merely touch at a corner or along an edge. Without
+ * hosts, the two closures between adjoining parts would be components of their
+ * own, as four triangles use their edges, and the parts would be open.
  */
 #ifndef TESSERA_COMPONENTS_H
 #define TESSERA_COMPONENTS_H
@@ -14,13 +18,15 @@
 
 /*
  * components[i] is that of triangles[i], numbered from 0 in the order of their
- * first triangles; features[i] is the triangle's feature. `table` is that of
- * the same triangles, whose corners are below `point_count`. Takes n log n
- * steps. Fails with TCS_NO_MEMORY.
+ * first triangles; features[i] is the triangle's feature, and hosts[feature]
+ * that feature's host; without `hosts` each is its own. `table` is that of the
+ * same triangles, whose corners are below `point_count`. Takes n log n steps.
+ * Fails with TCS_NO_MEMORY.
  */
 enum tcs_status components_find(const struct tcs_triangle *triangles,
-	const uint32_t *features, size_t count, size_t point_count,
-	const struct edge_table *table, uint32_t *components,
-	size_t *component_count, struct tcs_fault *fault) TCS_CHECKED;
+	const uint32_t *features, const uint32_t *hosts, size_t count,
+	size_t point_count, const struct edge_table *table,
+	uint32_t *components, size_t *component_count,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 #endif

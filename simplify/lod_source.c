@@ -101,6 +101,8 @@ lod_source_load(struct lod_source *source, const struct tcs_object *object,
 					  TCS_POLYGON_SHARED) != 0;
 	}
 	status = selection_make(&source->selection, object, lod, fault);
+	if (!status)
+		status = component_set_host(&source->set, object, fault);
 	for (size_t i = 0; !status && i < object->geometries.count; i++)
 		if (source->selection.geometries.at[i])
 			status = take_geometry(source, object,
