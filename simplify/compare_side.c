@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "shells.h"
 #include "vector.h"
 
 static void
@@ -25,8 +26,8 @@ side_clear(struct compare_side *side)
 
 static enum tcs_status
 take_polygon(struct compare_side *side, const struct tcs_object *object,
-	const struct tcs_polygon *polygon, const struct frame *frame,
-	struct tcs_fault *fault)
+	const struct tcs_polygon *polygon, uint32_t shell,
+	const struct frame *frame, struct tcs_fault *fault)
 {
 	const struct tcs_triangle *triangle =
 		object->triangles.at + polygon->first_triangle;
@@ -39,7 +40,7 @@ take_polygon(struct compare_side *side, const struct tcs_object *object,
 			corners[k] = frame_to_local(frame,
 				object->vertices.at[triangle[i].corner[k]]);
 		status = component_set_add(
-			&side->set, corners, polygon->surface, fault);
+			&side->set, corners, polygon->surface, shell, fault);
 	}
 	return status;
 }
@@ -63,13 +64,16 @@ take_geometry(struct compare_side *side, const struct tcs_object *object,
 	const struct tcs_polygon *polygon =
 		object->polygons.at + geometry->first_polygon;
 	enum tcs_status status = TCS_OK;
-	uint32_t count = geometry->polygon_count, number;
+	uint32_t count = geometry->polygon_count, shell = TCS_NONE, number;
 	bool added;
 
-	for (uint32_t i = 0; !status && i < count; i++)
+	for (uint32_t i = 0; !status && i < count; i++) {
+		shell = shell_after(
+			object, geometry, shell, geometry->first_polygon + i);
 		if (!is_taken(side, object, polygon + i))
 			status = take_polygon(
-				side, object, polygon + i, frame, fault);
+				side, object, polygon + i, shell, frame, fault);
+	}
 	for (uint32_t i = 0; !status && i < count; i++) {
 		const char *id = object_text(object, polygon[i].id);
 
@@ -126,7 +130,7 @@ take_instance(struct compare_side *side, const struct tcs_object *prototype,
 			corners[turned ? 2 - k : k] = place_point(
 				frame, by, prototype->vertices.at[from[k]]);
 		status = component_set_add(
-			&side->set, corners, by->feature, fault);
+			&side->set, corners, by->feature, TCS_NONE, fault);
 	}
 	return status;
 }
@@ -222,7 +226,7 @@ side_load(struct compare_side *side, const struct tcs_object *object,
 	if (object)
 		status = selection_make(&side->selection, object, lod, fault);
 	if (object && !status)
-		status = component_set_host(&side->set, object, fault);
+		status = component_set_begin(&side->set, object, fault);
 	for (size_t i = 0; object && !status && i < object->geometries.count;
 		i++)
 		if (side->selection.geometries.at[i])

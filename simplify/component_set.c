@@ -10,26 +10,6 @@
 
 enum { MANY_POINTS = 1 << 14 };
 
-enum tcs_status
-component_set_add(struct component_set *set, const struct tcs_point corners[3],
-	uint32_t feature, struct tcs_fault *fault)
-{
-	uint32_t first = (uint32_t)set->points.count;
-
-	if (set->triangles.count >= (size_t)1 << 29)
-		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
-			"more than 2^29 triangles in one object");
-	if (array_grow(&set->points, 3) || array_grow(&set->triangles, 1) ||
-		array_grow(&set->features, 1))
-		return fault_memory(fault);
-	for (int i = 0; i < 3; i++)
-		set->points.at[set->points.count++] = corners[i];
-	set->triangles.at[set->triangles.count++] =
-		(struct tcs_triangle){{first, first + 1, first + 2}};
-	set->features.at[set->features.count++] = feature;
-	return TCS_OK;
-}
-
 static bool
 bounds_its_parent(
 	const struct tcs_object *object, const struct tcs_feature *own)
@@ -44,7 +24,7 @@ bounds_its_parent(
 }
 
 enum tcs_status
-component_set_host(struct component_set *set, const struct tcs_object *object,
+component_set_begin(struct component_set *set, const struct tcs_object *object,
 	struct tcs_fault *fault)
 {
 	size_t count = object->features.count;
@@ -61,6 +41,32 @@ component_set_host(struct component_set *set, const struct tcs_object *object,
 			? set->hosts.at[own->parent]
 			: i;
 	}
+	return TCS_OK;
+}
+
+enum tcs_status
+component_set_add(struct component_set *set, const struct tcs_point corners[3],
+	uint32_t feature, uint32_t shell, struct tcs_fault *fault)
+{
+	const uint32_t *hosts = set->hosts.count ? set->hosts.at : NULL;
+	uint32_t first = (uint32_t)set->points.count;
+
+	if (set->triangles.count >= (size_t)1 << 29)
+		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
+			"more than 2^29 triangles in one object");
+	if (array_grow(&set->points, 3) || array_grow(&set->triangles, 1) ||
+		array_grow(&set->features, 1) || array_grow(&set->bodies, 1))
+		return fault_memory(fault);
+	for (int i = 0; i < 3; i++)
+		set->points.at[set->points.count++] = corners[i];
+	set->triangles.at[set->triangles.count++] =
+		(struct tcs_triangle){{first, first + 1, first + 2}};
+	set->features.at[set->features.count++] = feature;
+	/* Shells count down from the top, where no features are. */
+	set->bodies.at[set->bodies.count++] = shell != TCS_NONE
+		? TCS_NONE - 1 - shell
+		: hosts ? hosts[feature]
+			: feature;
 	return TCS_OK;
 }
 
@@ -126,9 +132,8 @@ find_components(struct component_set *set, struct tcs_fault *fault)
 		status = fault_memory(fault);
 	if (!status)
 		status = components_find(set->triangles.at, set->features.at,
-			set->hosts.count ? set->hosts.at : NULL, count,
-			set->points.count, &set->edges, set->numbers.at, &found,
-			fault);
+			set->bodies.at, count, set->points.count, &set->edges,
+			set->numbers.at, &found, fault);
 	if (!status && array_grow(&set->components, found))
 		status = fault_memory(fault);
 	if (status)
@@ -291,6 +296,7 @@ component_set_clear(struct component_set *set)
 	array_clear(&set->points);
 	array_clear(&set->triangles);
 	array_clear(&set->features);
+	array_clear(&set->bodies);
 	array_clear(&set->hosts);
 	array_clear(&set->numbers);
 	array_clear(&set->order);
@@ -309,6 +315,7 @@ component_set_release(struct component_set *set)
 	array_release(&set->points);
 	array_release(&set->triangles);
 	array_release(&set->features);
+	array_release(&set->bodies);
 	array_release(&set->hosts);
 	array_release(&set->numbers);
 	array_release(&set->order);

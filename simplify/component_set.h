@@ -23,7 +23,8 @@ struct component_set {
 	TCS_ARRAY(struct tcs_point) points;
 	TCS_ARRAY(struct tcs_triangle) triangles;
 	TCS_ARRAY(uint32_t) features; /* of each triangle */
-	TCS_ARRAY(uint32_t) hosts; /* of each feature; empty: each is its own */
+	TCS_ARRAY(uint32_t) bodies; /* of each triangle; components.h */
+	TCS_ARRAY(uint32_t) hosts; /* of each feature: what it bounds, or it */
 	TCS_ARRAY(uint32_t) numbers; /* the component of each triangle */
 	TCS_ARRAY(uint32_t) order; /* triangles, component by component */
 	TCS_ARRAY(struct component) components;
@@ -35,19 +36,20 @@ struct component_set {
 };
 
 /*
- * Put one triangle behind those there are: three points, and its feature.
- * Fails with TCS_NO_MEMORY, or TCS_LIMIT beyond 2²⁹ triangles.
+ * Before the triangles of an object: what its boundary surfaces bound. Without,
+ * every feature bounds itself. Fails with TCS_NO_MEMORY.
  */
-enum tcs_status component_set_add(struct component_set *set,
-	const struct tcs_point corners[3], uint32_t feature,
-	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status component_set_begin(struct component_set *set,
+	const struct tcs_object *object, struct tcs_fault *fault) TCS_CHECKED;
 
 /*
- * Whose surfaces an object's features are (components.h), for the triangles
- * that will have them. Fails with TCS_NO_MEMORY.
+ * Put one triangle behind those there are: three points, its feature, and the
+ * number of its shell or TCS_NONE. Fails with TCS_NO_MEMORY, or TCS_LIMIT beyond
+ * 2²⁹ triangles.
  */
-enum tcs_status component_set_host(struct component_set *set,
-	const struct tcs_object *object, struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status component_set_add(struct component_set *set,
+	const struct tcs_point corners[3], uint32_t feature, uint32_t shell,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /*
  * Once all are there: weld, find the components, grow the trees. Points are

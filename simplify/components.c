@@ -5,7 +5,7 @@
 
 #include "forest.h"
 
-/* A use of a point by a feature's triangle, or of an edge by a host's. */
+/* A use of a point by a feature's triangle, or of an edge by a body's. */
 struct use {
 	uint32_t owner, triangle;
 };
@@ -63,9 +63,9 @@ join_corners(uint32_t *parents, struct use *uses, uint32_t *ends,
 	}
 }
 
-/* What exactly two triangles of a host use, at an edge that others use, too. */
+/* What exactly two triangles of a body use, at an edge that others use, too. */
 static void
-join_hosts(uint32_t *parents, struct use *uses, size_t count)
+join_bodies(uint32_t *parents, struct use *uses, size_t count)
 {
 	size_t run;
 
@@ -83,8 +83,8 @@ join_hosts(uint32_t *parents, struct use *uses, size_t count)
 
 /* There is room for all uses. */
 static void
-join_edges(uint32_t *parents, struct use *uses, const uint32_t *features,
-	const uint32_t *hosts, const struct edge_table *table)
+join_edges(uint32_t *parents, struct use *uses, const uint32_t *bodies,
+	const struct edge_table *table)
 {
 	size_t run;
 
@@ -94,18 +94,17 @@ join_edges(uint32_t *parents, struct use *uses, const uint32_t *features,
 		run = edge_table_run(table, i);
 		if (run == 2)
 			forest_join(parents, use[0].triangle, use[1].triangle);
-		if (run <= 2 || !hosts)
-			continue;
-		for (size_t k = 0; k < run; k++)
-			uses[k] = (struct use){hosts[features[use[k].triangle]],
-				use[k].triangle};
-		join_hosts(parents, uses, run);
+		for (size_t k = 0; run > 2 && k < run; k++)
+			uses[k] = (struct use){
+				bodies[use[k].triangle], use[k].triangle};
+		if (run > 2)
+			join_bodies(parents, uses, run);
 	}
 }
 
 enum tcs_status
 components_find(const struct tcs_triangle *triangles, const uint32_t *features,
-	const uint32_t *hosts, size_t count, size_t point_count,
+	const uint32_t *bodies, size_t count, size_t point_count,
 	const struct edge_table *table, uint32_t *components,
 	size_t *component_count, struct tcs_fault *fault)
 {
@@ -124,7 +123,7 @@ components_find(const struct tcs_triangle *triangles, const uint32_t *features,
 		parents[i] = (uint32_t)i;
 	join_corners(
 		parents, uses, ends, triangles, features, count, point_count);
-	join_edges(parents, uses, features, hosts, table);
+	join_edges(parents, uses, bodies, table);
 	/* A root is the first of its triangles. */
 	for (size_t i = 0; i < count; i++) {
 		uint32_t root = forest_root(parents, (uint32_t)i);

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "shells.h"
+
 static void
 clear(struct lod_source *source)
 {
@@ -39,7 +41,7 @@ find_home(struct lod_source *source, const struct tcs_object *object,
 
 static enum tcs_status
 take_polygon(struct lod_source *source, const struct tcs_object *object,
-	uint32_t polygon, struct tcs_fault *fault)
+	uint32_t polygon, uint32_t shell, struct tcs_fault *fault)
 {
 	const struct tcs_polygon *own = &object->polygons.at[polygon];
 	const struct tcs_triangle *triangle =
@@ -56,7 +58,7 @@ take_polygon(struct lod_source *source, const struct tcs_object *object,
 			corners[k] = frame_to_local(&source->frame,
 				object->vertices.at[triangle[i].corner[k]]);
 		status = component_set_add(
-			&source->set, corners, own->surface, fault);
+			&source->set, corners, own->surface, shell, fault);
 		if (status)
 			return status;
 		source->polygons.at[source->polygons.count++] = polygon;
@@ -70,13 +72,16 @@ take_geometry(struct lod_source *source, const struct tcs_object *object,
 	const struct tcs_geometry *geometry, struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
+	uint32_t shell = TCS_NONE;
 
 	for (uint32_t i = 0; !status && i < geometry->polygon_count; i++) {
 		uint32_t polygon = geometry->first_polygon + i;
 
+		shell = shell_after(object, geometry, shell, polygon);
 		status = find_home(source, object, polygon, fault);
 		if (!status && source->homes.at[polygon] == polygon)
-			status = take_polygon(source, object, polygon, fault);
+			status = take_polygon(
+				source, object, polygon, shell, fault);
 	}
 	return status;
 }
@@ -102,7 +107,7 @@ lod_source_load(struct lod_source *source, const struct tcs_object *object,
 	}
 	status = selection_make(&source->selection, object, lod, fault);
 	if (!status)
-		status = component_set_host(&source->set, object, fault);
+		status = component_set_begin(&source->set, object, fault);
 	for (size_t i = 0; !status && i < object->geometries.count; i++)
 		if (source->selection.geometries.at[i])
 			status = take_geometry(source, object,

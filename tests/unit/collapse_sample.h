@@ -26,7 +26,8 @@ sample_add(struct collapse_sample *sample, uint32_t feature, struct tcs_point a,
 	const struct tcs_point corners[3] = {a, b, c};
 	struct tcs_fault fault;
 
-	CHECK(!component_set_add(&sample->set, corners, feature, &fault));
+	CHECK(!component_set_add(
+		&sample->set, corners, feature, TCS_NONE, &fault));
 }
 
 /* a b c d counterclockwise */

@@ -26,7 +26,7 @@ side_add(struct compare_side *side, struct tcs_point a, struct tcs_point b,
 	const struct tcs_point corners[3] = {a, b, c};
 	struct tcs_fault fault;
 
-	CHECK(!component_set_add(&side->set, corners, 0, &fault));
+	CHECK(!component_set_add(&side->set, corners, 0, TCS_NONE, &fault));
 }
 
 static void

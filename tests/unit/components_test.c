@@ -21,7 +21,7 @@ add(struct mesh *mesh, uint32_t feature, uint32_t a, uint32_t b, uint32_t c)
 }
 
 static size_t
-count_hosted(struct mesh *mesh, const uint32_t *hosts)
+count_bodies(struct mesh *mesh, const uint32_t *bodies)
 {
 	struct edge_table table = {0};
 	struct tcs_fault fault;
@@ -29,7 +29,7 @@ count_hosted(struct mesh *mesh, const uint32_t *hosts)
 
 	CHECK(!edge_table_build(
 		&table, mesh->triangles, mesh->count, ROOM, &fault));
-	CHECK(!components_find(mesh->triangles, mesh->features, hosts,
+	CHECK(!components_find(mesh->triangles, mesh->features, bodies,
 		mesh->count, ROOM, &table, mesh->components, &count, &fault));
 	edge_table_release(&table);
 	return count;
@@ -38,7 +38,7 @@ count_hosted(struct mesh *mesh, const uint32_t *hosts)
 static size_t
 count_components(struct mesh *mesh)
 {
-	return count_hosted(mesh, NULL);
+	return count_bodies(mesh, mesh->features);
 }
 
 static void
@@ -115,9 +115,9 @@ an_edge_of_two_joins_across_features(void)
 
 /* Two walls and a closure each, around one edge. */
 static void
-an_edge_of_two_joins_inside_a_host(void)
+an_edge_of_two_joins_inside_a_body(void)
 {
-	const uint32_t hosts[] = {0, 1, 0, 0, 1, 1};
+	const uint32_t bodies[] = {0, 1, 0, 1, 0};
 	struct mesh mesh = {0};
 
 	add(&mesh, 2, 0, 1, 2);
@@ -125,12 +125,12 @@ an_edge_of_two_joins_inside_a_host(void)
 	add(&mesh, 3, 1, 0, 4);
 	add(&mesh, 5, 0, 1, 6);
 	CHECK(count_components(&mesh) == 4);
-	CHECK(count_hosted(&mesh, hosts) == 2);
+	CHECK(count_bodies(&mesh, bodies) == 2);
 	CHECK(mesh.components[0] == 0 && mesh.components[2] == 0);
 	CHECK(mesh.components[1] == 1 && mesh.components[3] == 1);
 	/* A third of the same: which of them belong together is not known. */
 	add(&mesh, 0, 0, 1, 5);
-	CHECK(count_hosted(&mesh, hosts) == 4);
+	CHECK(count_bodies(&mesh, bodies) == 4);
 }
 
 static void
@@ -195,7 +195,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(a_grid_welds_with_its_copy),
 	CHECK_TEST(a_shared_point_joins_inside_a_feature_only),
 	CHECK_TEST(an_edge_of_two_joins_across_features),
-	CHECK_TEST(an_edge_of_two_joins_inside_a_host),
+	CHECK_TEST(an_edge_of_two_joins_inside_a_body),
 	CHECK_TEST(components_count_in_the_order_of_their_first_triangles),
 	CHECK_TEST(collapsed_triangles_join_by_points_only),
 	CHECK_TEST(an_empty_mesh_has_no_components),

@@ -28,7 +28,7 @@ add_box(struct component_set *set, uint32_t feature, struct tcs_point low,
 				low.y + (corner & 2 ? size.y : 0),
 				low.z + (corner & 4 ? size.z : 0)};
 		}
-		CHECK(!component_set_add(set, at, feature, &fault));
+		CHECK(!component_set_add(set, at, feature, TCS_NONE, &fault));
 	}
 }
 

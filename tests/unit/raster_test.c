@@ -13,7 +13,7 @@ set_add(struct component_set *set, struct tcs_point a, struct tcs_point b,
 	const struct tcs_point corners[3] = {a, b, c};
 	struct tcs_fault fault;
 
-	CHECK(!component_set_add(set, corners, feature, &fault));
+	CHECK(!component_set_add(set, corners, feature, TCS_NONE, &fault));
 }
 
 /* A square across the x axis, of half the side `half`, of two triangles. */

@@ -14,7 +14,8 @@ add(struct split *split, uint32_t feature, struct tcs_point a,
 	const struct tcs_point corners[3] = {a, b, c};
 	struct tcs_fault fault;
 
-	CHECK(!component_set_add(&split->set, corners, feature, &fault));
+	CHECK(!component_set_add(
+		&split->set, corners, feature, TCS_NONE, &fault));
 }
 
 static void

@@ -38,7 +38,8 @@ add_box(struct scene *scene, uint32_t feature, struct tcs_point low,
 				low.y + sin(turn) * x + cos(turn) * y,
 				low.z + (corner & 4 ? size.z : 0)};
 		}
-		CHECK(!component_set_add(&scene->set, at, feature, &fault));
+		CHECK(!component_set_add(
+			&scene->set, at, feature, TCS_NONE, &fault));
 	}
 }
 
@@ -258,8 +259,9 @@ add_rug(struct scene *scene)
 			continue;
 		taken[cell] = true;
 		left--;
-		CHECK(!component_set_add(&scene->set, at, 1, &fault));
-		CHECK(!component_set_add(&scene->set, at + 1, 1, &fault));
+		CHECK(!component_set_add(&scene->set, at, 1, TCS_NONE, &fault));
+		CHECK(!component_set_add(
+			&scene->set, at + 1, 1, TCS_NONE, &fault));
 	}
 }
 
