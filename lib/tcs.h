@@ -545,7 +545,8 @@ enum tcs_status reader_next(struct tcs_reader *reader,
 /*
  * A writer over a stdio stream, which it does not own and to which nothing was
  * written before. Not for use by two threads at once. `level` 0 writes
- * payloads as they are, 1…9 compresses.
+ * payloads as they are, 1…9 compresses. Some of what was put is written
+ * only by writer_end, or by writer_release where that was not called.
  */
 struct tcs_writer {
 	FILE *file;
@@ -553,6 +554,7 @@ struct tcs_writer {
 	int level; /* zlib level, 0: none */
 	struct tcs_tally tally;
 	TCS_ARRAY(unsigned char) packed;
+	TCS_ARRAY(unsigned char) gathered; /* to be written with what comes */
 };
 
 void writer_init(struct tcs_writer *writer, FILE *file, int level);

@@ -8,7 +8,7 @@
 #include "tcs_codec.h"
 
 #define CHUNK ((size_t)256 << 10) /* bytes read and summed at a time */
-#define BUFFER ((size_t)256 << 10) /* of the stdio stream */
+#define GATHERED ((size_t)64 << 10) /* bytes written at a time, at least */
 
 /* As PNG's: a byte that is not ASCII, the name, line ends that a transfer in
  * text mode would damage, and the end of text for `type`. */
@@ -60,7 +60,6 @@ reader_init(struct tcs_reader *reader, FILE *file)
 		.file = file,
 		.max_record = TCS_MAX_RECORD,
 	};
-	setvbuf(file, NULL, _IOFBF, BUFFER);
 }
 
 void
@@ -322,22 +321,56 @@ void
 writer_init(struct tcs_writer *writer, FILE *file, int level)
 {
 	*writer = (struct tcs_writer){.file = file, .level = level};
-	setvbuf(file, NULL, _IOFBF, BUFFER);
 }
 
+/* What is left here is of a stream that breaks off anyway. */
 void
 writer_release(struct tcs_writer *writer)
 {
+	if (writer->gathered.count)
+		fwrite(writer->gathered.at, 1, writer->gathered.count,
+			writer->file);
 	array_release(&writer->packed);
+	array_release(&writer->gathered);
+}
+
+static enum tcs_status
+write_now(struct tcs_writer *writer, const void *bytes, size_t length,
+	struct tcs_fault *fault)
+{
+	if (length && fwrite(bytes, 1, length, writer->file) != length)
+		return fault_system(fault, "cannot write", "the stream");
+	return TCS_OK;
+}
+
+/* stdio's own buffer takes 4 KB at a time, whatever setvbuf says of its size. */
+static enum tcs_status
+write_gathered(struct tcs_writer *writer, struct tcs_fault *fault)
+{
+	size_t length = writer->gathered.count;
+
+	writer->gathered.count = 0;
+	return write_now(writer, writer->gathered.at, length, fault);
 }
 
 static enum tcs_status
 write_exactly(struct tcs_writer *writer, const void *bytes, size_t length,
 	struct tcs_fault *fault)
 {
-	if (length && fwrite(bytes, 1, length, writer->file) != length)
-		return fault_system(fault, "cannot write", "the stream");
+	enum tcs_status status = TCS_OK;
+
 	writer->at += length;
+	if (writer->gathered.count + length > GATHERED)
+		status = write_gathered(writer, fault);
+	if (status || length >= GATHERED)
+		return status ? status
+			      : write_now(writer, bytes, length, fault);
+	if (array_grow(&writer->gathered, length))
+		return fault_memory(fault);
+	if (length)
+		memcpy(writer->gathered.at + writer->gathered.count, bytes,
+			length);
+	writer->gathered.count += length;
 	return TCS_OK;
 }
 
@@ -452,6 +485,8 @@ writer_end(struct tcs_writer *writer, struct tcs_fault *fault)
 	if (!status)
 		status = write_record(writer, &record, fault);
 	record_release(&record);
+	if (!status)
+		status = write_gathered(writer, fault);
 	if (!status && fflush(writer->file))
 		status = fault_system(fault, "cannot write", "the stream");
 	return status;

@@ -113,7 +113,7 @@ helper_take(struct gml_reader *reader)
 	return NULL;
 }
 
-/* Only the leader reads templates: seen at once, nothing is read in vain. */
+/* Only the leader reads templates. */
 static bool
 names_template(const char *at, size_t length)
 {
@@ -146,13 +146,15 @@ helper_read(struct helper *helper, const struct helper_start *start,
 		return status;
 	gml_recycle(reader, *out);
 	*out = NULL;
-	if (names_template(bytes + piece->first, piece->length))
+	if (helper->in_vain &&
+		names_template(bytes + piece->first, piece->length))
 		return TCS_OK;
 	reader->out_of_turn = false;
 	gml_move(reader, piece->at, piece->line, reader->objects);
 	status = xml_feed_element(reader->xml, bytes + piece->first,
 		piece->length, &whole, &ignored);
 	helper->ready = !status && whole;
+	helper->in_vain |= reader->out_of_turn;
 	*out = helper_take(reader);
 	if (!helper->ready) {
 		gml_recycle(reader, *out);

@@ -32,6 +32,8 @@ struct helper {
 	struct gml_reader reader;
 	bool begun;
 	bool ready; /* stands behind the head */
+	bool in_vain; /* it has read what is not for it: from then on, what can
+	                 be seen to be of that kind is not read */
 };
 
 /*

@@ -303,17 +303,25 @@ gml_start(void *context, struct name *name,
 	return status;
 }
 
+static bool
+gml_listens(const void *context)
+{
+	const struct gml_reader *reader = context;
+	const struct frame *top = &reader->frames.at[reader->frames.count - 1];
+
+	return top->wants_text &&
+		!(top->has_children && attribute_may_come_of(top));
+}
+
 static enum tcs_status
 gml_characters(void *context, const char *bytes, size_t length,
 	struct tcs_fault *fault)
 {
 	struct gml_reader *reader = context;
-	struct frame *top = gml_top(reader);
 
-	if (!top->wants_text ||
-		(top->has_children && attribute_may_come_of(top)))
+	if (!gml_listens(reader))
 		return TCS_OK;
-	if (top->role == ROLE_GEOMETRY)
+	if (gml_top(reader)->role == ROLE_GEOMETRY)
 		return geometry_text(reader, bytes, length, fault);
 	if (array_grow(&reader->text, length))
 		return fault_memory(fault);
@@ -412,8 +420,8 @@ gml_start_pass(
 	struct gml_reader *reader, enum gml_pass pass, struct tcs_fault *fault)
 {
 	reader->pass = pass;
-	reader->handler = (struct xml_handler){
-		reader, gml_start, gml_end_element, gml_characters};
+	reader->handler = (struct xml_handler){reader, gml_start,
+		gml_end_element, gml_characters, gml_listens};
 	xml_free(reader->xml);
 	reader->xml =
 		xml_new(&reader->handler, &reader->options.xml, &reader->names);

@@ -33,6 +33,9 @@ struct xml_handler {
 	enum tcs_status (*end)(void *context, struct tcs_fault *fault);
 	enum tcs_status (*text)(void *context, const char *bytes, size_t length,
 		struct tcs_fault *fault);
+	/* Whether text that comes next is of any use: else it need not be
+	   reported. NULL: it always is. */
+	bool (*listens)(const void *context);
 };
 
 struct xml_limits {

@@ -82,6 +82,16 @@ void xml_close(struct xml_parser *parser);
 void xml_characters(
 	struct xml_parser *parser, const char *bytes, size_t length);
 
+/* Whether text is of any use. */
+static inline bool
+xml_listens(const struct xml_parser *parser)
+{
+	const struct xml_handler *handler = parser->handler;
+
+	return !parser->skipped &&
+		(!handler->listens || handler->listens(handler->context));
+}
+
 /* Whether all names are few enough to be kept. */
 enum tcs_status xml_check_names(struct xml_parser *parser) TCS_CHECKED;
 

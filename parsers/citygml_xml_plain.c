@@ -74,6 +74,48 @@ are_characters(const char *at, size_t length)
 	return true;
 }
 
+/* ---- bytes by eights ---------------------------------------------------------- */
+
+#define EACH(byte) (0x0101010101010101u * (byte))
+
+enum { WORD = 8 };
+
+/* The first byte is the lowest. */
+static inline uint64_t
+word_of(const char *at)
+{
+	uint64_t word;
+
+	memcpy(&word, at, WORD);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+	word = __builtin_bswap64(word);
+#endif
+	return word;
+}
+
+/*
+ * The top bit of each byte that is below a limit of up to 128. Behind one that
+ * is, others may be marked that are not: the first is what counts.
+ */
+static inline uint64_t
+bytes_below(uint64_t word, unsigned char limit)
+{
+	return (word - EACH(limit)) & ~word & EACH(0x80);
+}
+
+static inline uint64_t
+bytes_like(uint64_t word, char byte)
+{
+	return bytes_below(word ^ EACH((unsigned char)byte), 1);
+}
+
+/* The first byte that is marked; one is. */
+static inline size_t
+first_marked(uint64_t marks)
+{
+	return (size_t)__builtin_ctzll(marks) / 8;
+}
+
 /* ---- references ----------------------------------------------------------------- */
 
 /* The predefined one that begins with the '&'; NULL: it is another. */
@@ -148,16 +190,37 @@ known_slot(const char *at, size_t length)
 	return (size_t)(first >> 32) & (KNOWN_NAMES - 1);
 }
 
-/* The bytes up to what ends a name; a NUL is behind all. */
+/* The bytes up to what ends a name; a NUL stands at `end`. */
 static size_t
-name_length(const char *at)
+name_length(const char *at, const char *end)
 {
-	const char *end = at;
+	const char *from = at;
 
-	while ((unsigned char)*end > ' ' && *end != '>' && *end != '/' &&
-		*end != '=')
-		end++;
-	return (size_t)(end - at);
+	for (; end - at >= WORD; at += WORD) {
+		uint64_t word = word_of(at);
+		uint64_t marks = bytes_below(word, ' ' + 1) |
+			bytes_like(word, '>') | bytes_like(word, '/') |
+			bytes_like(word, '=');
+
+		if (marks)
+			return (size_t)(at - from) + first_marked(marks);
+	}
+	while ((unsigned char)*at > ' ' && *at != '>' && *at != '/' &&
+		*at != '=')
+		at++;
+	return (size_t)(at - from);
+}
+
+/* As memcmp tells, which costs more where the names are short. */
+static inline bool
+is_same(const char *a, const char *b, size_t length)
+{
+	if (length < WORD)
+		return !memcmp(a, b, length);
+	for (size_t i = 0; i < length - WORD; i += WORD)
+		if (word_of(a + i) != word_of(b + i))
+			return false;
+	return word_of(a + length - WORD) == word_of(b + length - WORD);
 }
 
 enum { LONGEST_NAME = 500 };
@@ -169,7 +232,7 @@ name_know(struct xml_parser *parser, const char *at, size_t length)
 	struct known_name *known = &parser->plain.known[known_slot(at, length)];
 
 	if (known->spelled && known->length == length &&
-		!memcmp(known->spelled, at, length))
+		is_same(known->spelled, at, length))
 		return known;
 	if (!is_name(at, length) || length > LONGEST_NAME)
 		return NULL;
@@ -206,12 +269,23 @@ blanks_pass(struct walk *walk)
 
 /* The value from its quote; NULL where it is not as it stands there. */
 static char *
-value_end(char *at)
+value_end(char *at, const char *end)
 {
 	const char quote = *at++;
 
 	if (quote != '"' && quote != '\'')
 		return NULL;
+	for (; end - at >= WORD; at += WORD) {
+		uint64_t word = word_of(at);
+		uint64_t marks = bytes_below(word, ' ') |
+			bytes_like(word, quote) | bytes_like(word, '<') |
+			bytes_like(word, '&');
+
+		if (!marks)
+			continue;
+		at += first_marked(marks);
+		return *at == quote ? at : NULL;
+	}
 	while (*at != quote && (unsigned char)*at >= ' ' && *at != '<' &&
 		*at != '&')
 		at++;
@@ -242,7 +316,7 @@ static bool
 attribute_walk(struct walk *walk, bool wanted,
 	const char *names[MOST_ATTRIBUTES], size_t count)
 {
-	size_t length = name_length(walk->at);
+	size_t length = name_length(walk->at, walk->end);
 	const struct known_name *name =
 		name_know(walk->parser, walk->at, length);
 	char *value, *end;
@@ -260,7 +334,7 @@ attribute_walk(struct walk *walk, bool wanted,
 	walk->at++;
 	blanks_pass(walk);
 	value = walk->at + 1;
-	end = value_end(walk->at);
+	end = value_end(walk->at, walk->end);
 	if (!end)
 		return false;
 	walk->at = end + 1;
@@ -291,7 +365,7 @@ start_walk(struct walk *walk)
 {
 	struct xml_parser *parser = walk->parser;
 	struct plain_element *plain = &parser->plain;
-	size_t length = name_length(walk->at + 1);
+	size_t length = name_length(walk->at + 1, walk->end);
 	const struct known_name *known =
 		name_know(parser, walk->at + 1, length);
 	struct known_name name;
@@ -334,7 +408,7 @@ end_walk(struct walk *walk)
 	name = &plain->open.at[--plain->open.count];
 	walk->at += 2;
 	if ((size_t)(walk->end - walk->at) <= name->length ||
-		memcmp(walk->at, name->spelled, name->length) != 0)
+		!is_same(walk->at, name->spelled, name->length))
 		return false;
 	walk->at += name->length;
 	blanks_pass(walk);
@@ -393,6 +467,10 @@ text_walk(struct walk *walk)
 	if (!end)
 		return false;
 	walk->parser->plain.at = end;
+	if (!xml_listens(walk->parser)) {
+		walk->at = end;
+		return true;
+	}
 	if (!walk->returns && !walk->references)
 		xml_characters(
 			walk->parser, walk->at, (size_t)(end - walk->at));

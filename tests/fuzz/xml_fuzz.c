@@ -147,9 +147,9 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	const struct xml_limits limits = {.depth = 64, .tag = 1 << 20};
 	struct heard one = {.names.version = 2}, two = {.names.version = 2};
 	const struct xml_handler first = {
-		&one, hear_start, hear_end, hear_text};
+		&one, hear_start, hear_end, hear_text, NULL};
 	const struct xml_handler second = {
-		&two, hear_start, hear_end, hear_text};
+		&two, hear_start, hear_end, hear_text, NULL};
 	struct tcs_fault fault;
 	bool whole = false;
 	char *bytes;

@@ -12,6 +12,7 @@ struct heard {
 	uint32_t line; /* of the last start */
 	struct xml_stretch tag; /* the last one */
 	uint64_t end; /* of the last element */
+	bool deaf;
 };
 
 static enum tcs_status
@@ -33,6 +34,7 @@ hear_start(void *context, struct name *name,
 	heard->line = xml_line(heard->parser);
 	xml_place_tag(heard->parser, &heard->tag);
 	*skip = !strcmp(name->local, "skip");
+	heard->deaf = !strcmp(name->local, "deaf");
 	return TCS_OK;
 }
 
@@ -42,6 +44,7 @@ hear_end(void *context, struct tcs_fault *fault)
 	struct heard *heard = context;
 
 	(void)fault;
+	heard->deaf = false;
 	strcat(heard->text, ">");
 	xml_place_end(heard->parser, &heard->end);
 	return TCS_OK;
@@ -58,13 +61,21 @@ hear_text(void *context, const char *bytes, size_t length,
 	return TCS_OK;
 }
 
+static bool
+hear_listens(const void *context)
+{
+	const struct heard *heard = context;
+
+	return !heard->deaf;
+}
+
 /* Whether it was read as a whole; the bytes are as they were. */
 static bool
 element_read(struct heard *heard, const char *element)
 {
 	static const char root[] = "<r xmlns:g='g'>";
 	const struct xml_handler handler = {
-		heard, hear_start, hear_end, hear_text};
+		heard, hear_start, hear_end, hear_text, hear_listens};
 	const struct xml_limits limits = {.depth = 5, .tag = 4096};
 	struct names names = {.version = 2};
 	size_t length = strlen(element);
@@ -117,6 +128,39 @@ tags_values_and_text_are_heard(void)
 		"<a><skip b='1'>x<c>y</c></skip>z</a>", "<a<skip b=1z>"));
 	CHECK(is_heard_as(
 		"<a>\xc3\xa9\xef\xbf\xbd</a>", "<a\xc3\xa9\xef\xbf\xbd>"));
+}
+
+static void
+names_and_values_of_any_length_end_where_they_end(void)
+{
+	static const char letters[] = "abcdefghijklmnopqrstuvwxyz";
+	static const char ends[] = "<&\n\t\x01";
+
+	for (int length = 1; length < 20; length++) {
+		char element[80], events[80];
+
+		snprintf(element, sizeof element, "<%.*s %.*s='%.*s'/>", length,
+			letters, length, letters + 1, length, letters + 2);
+		snprintf(events, sizeof events, "<%.*s %.*s=%.*s>", length,
+			letters, length, letters + 1, length, letters + 2);
+		CHECK(is_heard_as(element, events));
+		for (const char *end = ends; *end; end++) {
+			snprintf(element, sizeof element, "<%.*s b='%.*s%c'/>",
+				length, letters, length, letters, *end);
+			CHECK(is_refused(element) || *end == '\n' ||
+				*end == '\t');
+		}
+		snprintf(element, sizeof element, "<%.*s></%.*s%c>", length,
+			letters, length - 1, letters, '_');
+		CHECK(is_refused(element));
+	}
+}
+
+static void
+text_that_nobody_listens_to_is_not_reported(void)
+{
+	CHECK(is_heard_as(
+		"<a>1<deaf>2\r\n&lt;<b/>3</deaf>4</a>", "<a1<deaf<b>3>4>"));
 }
 
 static void
@@ -205,6 +249,8 @@ places_are_those_of_the_document(void)
 
 static const struct check_test tests[] = {
 	CHECK_TEST(tags_values_and_text_are_heard),
+	CHECK_TEST(names_and_values_of_any_length_end_where_they_end),
+	CHECK_TEST(text_that_nobody_listens_to_is_not_reported),
 	CHECK_TEST(lines_end_in_one_character),
 	CHECK_TEST(references_are_what_they_mean),
 	CHECK_TEST(what_is_not_plain_is_heard_too),
