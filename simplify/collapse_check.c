@@ -257,6 +257,8 @@ count_broken(struct collapses *work)
 		uint32_t times =
 			times_listed(work->opened.at, work->opened.count, i);
 
+		if (times > 0 && cover_watch_loses(&work->covers, contact))
+			continue;
 		if (times > 0 && count->open + times >= count->points)
 			return false;
 		if (times > 0)
@@ -440,6 +442,21 @@ check_doubles(struct collapses *work, uint32_t node, uint32_t target,
 	return status;
 }
 
+/* What breaks beside contacts: surfaces, and components crushed or uncovered. */
+static enum tcs_status
+count_harm(struct collapses *work, uint32_t node, struct tcs_fault *fault)
+{
+	double uncovered;
+	enum tcs_status status =
+		cover_watch_look(work, node, &uncovered, fault);
+
+	if (status)
+		return status;
+	count_vanishing(work);
+	work->broken += volume_watch_worth(work, node) + uncovered;
+	return TCS_OK;
+}
+
 enum tcs_status
 collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 	bool *fine, struct tcs_fault *fault)
@@ -457,10 +474,8 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 	for (uint32_t v = fans[0].first_vertex;
 		!status && *fine && v < fans[1].first_vertex; v++)
 		status = check_vertex(work, v, target, twins, fine, fault);
-	if (!status && *fine) {
-		count_vanishing(work);
-		work->broken += volume_watch_worth(work, node);
-	}
+	if (!status && *fine)
+		status = count_harm(work, node, fault);
 	*fine = !status && *fine && count_broken(work) &&
 		(work->settings.contact_cost < INFINITY ||
 			!(work->broken > 0)) &&
@@ -541,6 +556,7 @@ collapse_do(struct collapses *work, uint32_t node, uint32_t target,
 
 	move_holds(work);
 	volume_watch_follow(work, node);
+	cover_watch_follow(work);
 	for (uint32_t v = fans[0].first_vertex;
 		!status && v < fans[1].first_vertex; v++)
 		status = collapse_vertex(work, v, target, fault);

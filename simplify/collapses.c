@@ -350,6 +350,7 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 	work->ground = set->bounds.low[2] + contact_reach(set);
 	work->face_count = sheets->face_triangles.count;
 	array_clear(&work->worths);
+	cover_watch_clear(&work->covers);
 	half_edges_free(work->mesh);
 	work->mesh = NULL;
 	status = half_edges_new(&work->mesh, sheets->corners.at,
@@ -449,6 +450,7 @@ collapses_end(struct collapses *work)
 	error_watch_release(&work->watch);
 	crossing_watch_release(&work->crossings);
 	volume_watch_release(&work->volume);
+	cover_watch_release(&work->covers);
 }
 
 void

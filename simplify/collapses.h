@@ -8,6 +8,7 @@
 #ifndef TESSERA_COLLAPSES_H
 #define TESSERA_COLLAPSES_H
 
+#include "cover_watch.h"
 #include "crossing_watch.h"
 #include "error_watch.h"
 #include "half_edges.h"
@@ -82,12 +83,13 @@ struct collapses {
 	struct error_watch watch;
 	struct crossing_watch crossings;
 	struct volume_watch volume;
+	struct cover_watch covers;
 	struct node_queue queue;
 	TCS_ARRAY(struct spoke) spokes; /* scratch */
 	TCS_ARRAY(struct queue_entry) candidates; /* scratch */
 	/* What collapse_check found out: */
-	double broken; /* contacts, each by its worth, surfaces, crossings, a
-	                  component crushed */
+	double broken; /* contacts, each by its worth, surfaces, crossings,
+	                  components crushed or uncovered */
 	TCS_ARRAY(uint32_t) touched; /* the nodes around */
 	TCS_ARRAY(struct seam_move) moves;
 	TCS_ARRAY(struct ring_face) ring; /* those that stay */

@@ -196,17 +196,15 @@ list_contacts(struct handles *handles, struct tcs_fault *fault)
 
 /* ---- closing ------------------------------------------------------------- */
 
-/* What stood in a hole is enclosed now, and not seen. */
-static enum tcs_status
-enclose(struct handles *handles, uint32_t host, struct tcs_fault *fault)
+/* Contacts all points of which stand in what was added. */
+static void
+enclose_contacts(struct handles *handles)
 {
 	struct removals *removals = handles->removals;
-	enum tcs_status status = TCS_OK;
 
 	for (size_t i = 0; i < handles->held.count; i++) {
 		uint32_t number = handles->held.at[i];
-		const struct contact *contact =
-			&handles->removals->list->at[number];
+		const struct contact *contact = &removals->list->at[number];
 
 		if ((i > 0 && number == handles->held.at[i - 1]) ||
 			handles->work->seams->counts.at[number].points > 0)
@@ -214,14 +212,76 @@ enclose(struct handles *handles, uint32_t host, struct tcs_fault *fault)
 		removals->parts.enclosed.at[contact->a]++;
 		removals->parts.enclosed.at[contact->b]++;
 	}
+}
+
+/* Whether a part has become one with what stood in its hole, or has covered
+   something before. */
+static bool
+is_cover(const struct handles *handles, uint32_t host)
+{
+	const struct cover_watch *watch = &handles->work->covers;
+	bool covers = false;
+
+	for (size_t i = 0; watch->list && i < handles->rims.beyond.count; i++)
+		covers |= watch->numbers.at[handles->rims.beyond.at[i]] !=
+			TCS_NONE;
+	for (size_t i = 0; !covers && i < handles->hidden.count; i++)
+		covers = handle_becomes_one(
+			handles, handles->hidden.at[i], host);
+	return covers;
+}
+
+/* Begin the cover of a part. */
+static enum tcs_status
+begin_cover(struct handles *handles, uint32_t host, struct tcs_fault *fault)
+{
+	struct collapses *work = handles->work;
+	const struct parts *parts = &handles->removals->parts;
+	const struct part *own = &parts->at.at[host];
+	enum tcs_status status = cover_watch_open(work, handles->removals->list,
+		parts->faces.at + own->first, own->count, fault);
+
+	if (!status && parts->left.at[own->component] == 1)
+		status = cover_watch_put(&work->covers, own->component, fault);
+	return status;
+}
+
+/* What has become one with it goes, and is covered. */
+static enum tcs_status
+become_one(struct handles *handles, uint32_t number, struct tcs_fault *fault)
+{
+	struct removals *removals = handles->removals;
+	const struct part *own = &removals->parts.at.at[number];
+	enum tcs_status status = removals_take(removals, number, fault);
+
+	if (status || !own->gone || removals->parts.left.at[own->component] > 0)
+		return status;
+	return cover_watch_put(&handles->work->covers, own->component, fault);
+}
+
+/* What stood in a hole is enclosed now, and not seen. */
+static enum tcs_status
+enclose(struct handles *handles, uint32_t host, struct tcs_fault *fault)
+{
+	struct removals *removals = handles->removals;
+	const struct part *own = &removals->parts.at.at[host];
+	bool covers = is_cover(handles, host);
+	enum tcs_status status =
+		covers ? begin_cover(handles, host, fault) : TCS_OK;
+
+	enclose_contacts(handles);
 	for (size_t i = 0; !status && i < handles->hidden.count; i++) {
 		uint32_t part = handles->hidden.at[i];
 
 		status = handle_becomes_one(handles, part, host)
-			? removals_take(removals, part, fault)
+			? become_one(handles, part, fault)
 			: removals_hide(removals, part, fault);
 	}
-	return status;
+	return status || !covers
+		? status
+		: cover_watch_close(handles->work,
+			  removals->parts.faces.at + own->first, own->count,
+			  fault);
 }
 
 static enum tcs_status

@@ -214,11 +214,58 @@ join_parts(struct merges *merges, struct tcs_fault *fault)
 		removals, plan->parts.at, plan->parts.count, plan->host, fault);
 }
 
+/* The components nothing of which will be left but the prism are in it, unless
+   there is but one. */
+static enum tcs_status
+cover_components(struct merges *merges, struct tcs_fault *fault)
+{
+	const struct merge_plan *plan = &merges->plan;
+	const struct parts *parts = &merges->removals->parts;
+	enum tcs_status status = TCS_OK;
+	size_t count = plan->parts.count, kept = 0;
+	uint32_t *at;
+
+	if (array_grow(&merges->components, count))
+		return fault_memory(fault);
+	at = merges->components.at;
+	for (size_t i = 0; i < count; i++)
+		at[i] = parts->at.at[plan->parts.at[i]].component;
+	number_sort(at, count);
+	for (size_t i = 0, end; i < count; i = end) {
+		uint32_t own = at[i];
+
+		for (end = i; end < count && at[end] == own;)
+			end++;
+		if (parts->left.at[own] == end - i)
+			at[kept++] = own;
+	}
+	for (size_t i = 0; !status && kept > 1 && i < kept; i++)
+		status = cover_watch_put(&merges->work->covers, at[i], fault);
+	return status;
+}
+
+/* Put the prism there, which covers what it is made of. */
+static enum tcs_status
+build(struct merges *merges, struct tcs_fault *fault)
+{
+	struct refill refill = merge_plan_refill(&merges->plan);
+	struct collapses *work = merges->work;
+	enum tcs_status status = cover_watch_open(work, merges->removals->list,
+		refill.faces, refill.face_count, fault);
+
+	if (!status)
+		status = cover_components(merges, fault);
+	if (!status)
+		status = collapses_refill(work, &refill, fault);
+	return status
+		? status
+		: cover_watch_close(work, refill.numbers, refill.count, fault);
+}
+
 static enum tcs_status
 merge(struct merges *merges, uint32_t number, struct tcs_fault *fault)
 {
 	const struct merge_plan *plan = &merges->plan;
-	struct refill refill = merge_plan_refill(plan);
 	struct collapses *work = merges->work;
 	uint32_t feature = work->features.at[plan->faces.at[0]];
 	uint32_t component =
@@ -237,7 +284,7 @@ merge(struct merges *merges, uint32_t number, struct tcs_fault *fault)
 	for (unsigned i = 0; i < 2 * plan->prism.sides; i++)
 		component_set_enlarge(
 			merges->set, component, plan->prism.corners[i]);
-	status = collapses_refill(work, &refill, fault);
+	status = build(merges, fault);
 	return status ? status : join_parts(merges, fault);
 }
 
@@ -292,6 +339,7 @@ merges_end(struct merges *merges)
 	merge_plan_release(&merges->plan);
 	merge_pricing_release(&merges->pricing);
 	array_release(&merges->contacts);
+	array_release(&merges->components);
 	array_release(&merges->postponed);
 }
 

@@ -27,6 +27,7 @@ struct merges {
 	struct merge_plan plan; /* scratch */
 	struct merge_pricing pricing; /* scratch */
 	TCS_ARRAY(uint32_t) contacts; /* scratch: one per point */
+	TCS_ARRAY(uint32_t) components; /* scratch: of the parts */
 	struct component_set *set; /* borrowed: boxes grow */
 	struct collapses *work; /* borrowed */
 	struct removals *removals; /* borrowed */

@@ -293,6 +293,25 @@ what_is_of_the_same_surface_becomes_one(void)
 	end(&scene);
 }
 
+static void
+what_has_become_one_stays_covered(void)
+{
+	struct scene scene = {0};
+	const struct cover_watch *covers = &scene.sample.work.covers;
+
+	add_wall(&scene, &two_openings, WALL);
+	sample_add_box(&scene.sample, WALL, at(1, 0.1, 1), at(1, 0.1, 1));
+	begin(&scene);
+	close_all(&scene);
+	CHECK(scene.handles.closed == 2);
+	/* The wall, and what stood in one of its openings. */
+	CHECK(covers->at.at[covers->at.count - 1].count == 2);
+	sample_run(&scene.sample, 4);
+	CHECK(scene.sample.work.face_count == 12);
+	CHECK(fabs(sample_volume(&scene.sample, WALL) - 6 * 3 * THICK) < 1e-9);
+	end(&scene);
+}
+
 /* A ring of boxes around nothing has no flat face with an inner outline, but
    for its top and bottom: it closes from there, or not at all. */
 static void
@@ -414,6 +433,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(a_window_in_a_recess_comes_forward),
 	CHECK_TEST(what_stands_in_an_opening_stays_in_touch),
 	CHECK_TEST(what_is_of_the_same_surface_becomes_one),
+	CHECK_TEST(what_has_become_one_stays_covered),
 	CHECK_TEST(a_round_ring_stays),
 	CHECK_TEST(a_rod_between_plates_stays),
 	CHECK_TEST(nothing_closes_while_errors_are_watched),

@@ -217,8 +217,30 @@ what_is_left_of_a_window_becomes_a_panel(void)
 	end(&scene);
 }
 
+/* Where contacts may break: what comes out of the prism is lost. */
 static void
 what_is_merged_goes_on_collapsing(void)
+{
+	const struct collapse_settings free = {
+		.base_ratio = 2, .contact_cost = 1e-9};
+	struct scene scene = {0};
+	const struct cover_watch *covers = &scene.sample.work.covers;
+	size_t bare = 0;
+
+	add_window(&scene, 0);
+	begin_with(&scene, &free);
+	merge_below(&scene, 0.01);
+	sample_run(&scene.sample, 4);
+	CHECK(faces(&scene, WINDOW) < 12);
+	CHECK(volume(&scene, WINDOW) > 0);
+	for (size_t i = 0; i < covers->covered.count; i++)
+		bare += covers->covered.at[i].bare;
+	CHECK(bare > 0);
+	end(&scene);
+}
+
+static void
+what_is_in_a_prism_stays_in_it(void)
 {
 	struct scene scene = {0};
 
@@ -226,8 +248,49 @@ what_is_merged_goes_on_collapsing(void)
 	begin(&scene);
 	merge_below(&scene, 0.01);
 	sample_run(&scene.sample, 4);
-	CHECK(faces(&scene, WINDOW) < 12);
-	CHECK(volume(&scene, WINDOW) > 0);
+	CHECK(faces(&scene, WINDOW) == 12);
+	end(&scene);
+}
+
+/* All boards lose a corner, and so all contacts would be lost. */
+static void
+what_comes_out_of_a_prism_has_the_price_of_its_contacts(void)
+{
+	struct scene scene = {0};
+	struct collapses *work = &scene.sample.work;
+	struct tcs_fault fault;
+	bool fine = false;
+	double worth = 0;
+
+	add_boards(&scene, 5);
+	begin(&scene);
+	CHECK(scene.sample.contacts.count == 4);
+	merge_below(&scene, 1e-5);
+	for (size_t i = 0; i < 4; i++)
+		worth += (double)work->worths.at[i];
+	work->settings.contact_cost = 1;
+	CHECK(!collapse_check(work, sample_node(&scene.sample, 0, 0, 0),
+		sample_node(&scene.sample, 0, 2.004, 0), &fine, &fault));
+	CHECK(fine && fabs(work->broken - worth) < 1e-9);
+	end(&scene);
+}
+
+static void
+a_prism_covers_what_a_smaller_one_did(void)
+{
+	struct scene scene = {0};
+	const struct cover_watch *covers = &scene.sample.work.covers;
+	struct tcs_fault fault;
+
+	add_boards(&scene, 5);
+	begin(&scene);
+	CHECK(!merges_aim(&scene.merges, 48, &fault));
+	merge_below(&scene, 1e-5);
+	CHECK(covers->at.count == 1 && covers->at.at[0].count == 2);
+	CHECK(!merges_aim(&scene.merges, 0, &fault));
+	merge_below(&scene, 1e-5);
+	CHECK(covers->at.at[covers->at.count - 1].count == 5);
+	CHECK(covers->at.at[covers->at.count - 1].face_count == 12);
 	end(&scene);
 }
 
@@ -419,6 +482,9 @@ static const struct check_test tests[] = {
 	CHECK_TEST(a_frame_and_its_pane_become_a_panel),
 	CHECK_TEST(what_is_left_of_a_window_becomes_a_panel),
 	CHECK_TEST(what_is_merged_goes_on_collapsing),
+	CHECK_TEST(what_is_in_a_prism_stays_in_it),
+	CHECK_TEST(what_comes_out_of_a_prism_has_the_price_of_its_contacts),
+	CHECK_TEST(a_prism_covers_what_a_smaller_one_did),
 	CHECK_TEST(boxes_that_meet_at_an_edge_stay),
 	CHECK_TEST(parts_of_two_surfaces_stay),
 	CHECK_TEST(open_parts_stay),
