@@ -546,7 +546,8 @@ enum tcs_status reader_next(struct tcs_reader *reader,
  * A writer over a stdio stream, which it does not own and to which nothing was
  * written before. Not for use by two threads at once. `level` 0 writes
  * payloads as they are, 1…9 compresses. Some of what was put is written
- * only by writer_end, or by writer_release where that was not called.
+ * only by writer_end, or by writer_release where that was not called: the
+ * stream is to be closed after that.
  */
 struct tcs_writer {
 	FILE *file;

@@ -188,10 +188,10 @@ read_back(const struct tcs_record *const *records, size_t count,
 		writer.tally = *claimed;
 	if (!status)
 		status = writer_end(&writer, fault);
+	writer_release(&writer);
 	fclose(file);
 	if (!status)
 		status = pass_on(bytes.at, bytes.length, NULL, fault);
-	writer_release(&writer);
 	free(bytes.at);
 	return status;
 }
