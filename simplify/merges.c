@@ -149,143 +149,20 @@ price_of(struct merges *merges, uint32_t number, double seemed, double *price,
 
 /* ---- making them one ------------------------------------------------------ */
 
-/* The contacts of the points that the parts hold, one for each. */
-static enum tcs_status
-list_contacts(struct merges *merges, struct tcs_fault *fault)
-{
-	const struct seams *seams = merges->work->seams;
-	const struct merge_plan *plan = &merges->plan;
-
-	merges->contacts.count = 0;
-	for (size_t i = 0; i < plan->faces.count; i++)
-		for (uint32_t hold = seams->faces.at[plan->faces.at[i]];
-			hold != TCS_NONE; hold = seams->holds.at[hold].next) {
-			if (array_grow(&merges->contacts, 1))
-				return fault_memory(fault);
-			merges->contacts.at[merges->contacts.count++] =
-				seams->points.at[hold / 2].contact;
-		}
-	number_sort(merges->contacts.at, merges->contacts.count);
-	return TCS_OK;
-}
-
-/* Contacts all points of which stand within the prism now are its own. */
-static void
-enclose(struct merges *merges)
-{
-	struct removals *removals = merges->removals;
-	struct parts *parts = &removals->parts;
-	uint32_t host = parts->at.at[merges->plan.host].component;
-
-	for (size_t i = 0; i < merges->plan.parts.count; i++) {
-		uint32_t own = parts->at.at[merges->plan.parts.at[i]].component;
-
-		if (own == host || parts->left.at[own] > 0)
-			continue;
-		parts->enclosed.at[host] += parts->enclosed.at[own];
-		parts->enclosed.at[own] = 0;
-	}
-	for (size_t i = 0; i < merges->contacts.count; i++) {
-		uint32_t number = merges->contacts.at[i];
-
-		if ((i == 0 || number != merges->contacts.at[i - 1]) &&
-			merges->work->seams->counts.at[number].points == 0)
-			parts->enclosed.at[host]++;
-	}
-}
-
-static enum tcs_status
-join_parts(struct merges *merges, struct tcs_fault *fault)
-{
-	const struct merge_plan *plan = &merges->plan;
-	struct removals *removals = merges->removals;
-	struct part *host = &removals->parts.at.at[plan->host];
-	enum tcs_status status = parts_join(&removals->parts, plan->parts.at,
-		plan->parts.count, plan->host, fault);
-
-	if (status)
-		return status;
-	host->rebuilt = true;
-	host->depth = host->area > 0 ? 3 * plan->prism.volume / host->area : 0;
-	for (unsigned i = 0; i < 2 * plan->prism.sides; i++)
-		box_add_point(&host->box, plan->prism.corners[i]);
-	enclose(merges);
-	return removals_join(
-		removals, plan->parts.at, plan->parts.count, plan->host, fault);
-}
-
-/* The components nothing of which will be left but the prism are in it, unless
-   there is but one. */
-static enum tcs_status
-cover_components(struct merges *merges, struct tcs_fault *fault)
-{
-	const struct merge_plan *plan = &merges->plan;
-	const struct parts *parts = &merges->removals->parts;
-	enum tcs_status status = TCS_OK;
-	size_t count = plan->parts.count, kept = 0;
-	uint32_t *at;
-
-	if (array_grow(&merges->components, count))
-		return fault_memory(fault);
-	at = merges->components.at;
-	for (size_t i = 0; i < count; i++)
-		at[i] = parts->at.at[plan->parts.at[i]].component;
-	number_sort(at, count);
-	for (size_t i = 0, end; i < count; i = end) {
-		uint32_t own = at[i];
-
-		for (end = i; end < count && at[end] == own;)
-			end++;
-		if (parts->left.at[own] == end - i)
-			at[kept++] = own;
-	}
-	for (size_t i = 0; !status && kept > 1 && i < kept; i++)
-		status = cover_watch_put(&merges->work->covers, at[i], fault);
-	return status;
-}
-
-/* Put the prism there, which covers what it is made of. */
-static enum tcs_status
-build(struct merges *merges, struct tcs_fault *fault)
-{
-	struct refill refill = merge_plan_refill(&merges->plan);
-	struct collapses *work = merges->work;
-	enum tcs_status status = cover_watch_open(work, merges->removals->list,
-		refill.faces, refill.face_count, fault);
-
-	if (!status)
-		status = cover_components(merges, fault);
-	if (!status)
-		status = collapses_refill(work, &refill, fault);
-	return status
-		? status
-		: cover_watch_close(work, refill.numbers, refill.count, fault);
-}
-
 static enum tcs_status
 merge(struct merges *merges, uint32_t number, struct tcs_fault *fault)
 {
 	const struct merge_plan *plan = &merges->plan;
-	struct collapses *work = merges->work;
-	uint32_t feature = work->features.at[plan->faces.at[0]];
-	uint32_t component =
-		work->set->numbers
-			.at[work->sheets->face_triangles.at[plan->numbers[0]]];
-	enum tcs_status status = list_contacts(merges, fault);
+	uint32_t feature = merges->work->features.at[plan->faces.at[0]];
 
 	node_queue_set(&merges->queue, number, INFINITY);
-	if (!status && array_grow(&merges->features, 1))
-		status = fault_memory(fault);
-	if (status)
-		return status;
+	if (array_grow(&merges->features, 1))
+		return fault_memory(fault);
 	merges->features.at[merges->features.count++] = feature;
 	merges->pricing.paid.at[plan->host] = merges->known.at[number].shape;
 	merges->joined += plan->parts.count - 1;
-	for (unsigned i = 0; i < 2 * plan->prism.sides; i++)
-		component_set_enlarge(
-			merges->set, component, plan->prism.corners[i]);
-	status = build(merges, fault);
-	return status ? status : join_parts(merges, fault);
+	return merge_build(&merges->builder, plan, merges->set, merges->work,
+		merges->removals, fault);
 }
 
 enum tcs_status
@@ -338,8 +215,7 @@ merges_end(struct merges *merges)
 	node_queue_release(&merges->queue);
 	merge_plan_release(&merges->plan);
 	merge_pricing_release(&merges->pricing);
-	array_release(&merges->contacts);
-	array_release(&merges->components);
+	merge_builder_release(&merges->builder);
 	array_release(&merges->postponed);
 }
 

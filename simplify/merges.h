@@ -17,6 +17,7 @@
 #ifndef TESSERA_MERGES_H
 #define TESSERA_MERGES_H
 
+#include "merge_build.h"
 #include "merge_price.h"
 
 /* All zero is empty; reused from object to object. */
@@ -26,8 +27,7 @@ struct merges {
 	struct node_queue queue; /* of groups, by their price */
 	struct merge_plan plan; /* scratch */
 	struct merge_pricing pricing; /* scratch */
-	TCS_ARRAY(uint32_t) contacts; /* scratch: one per point */
-	TCS_ARRAY(uint32_t) components; /* scratch: of the parts */
+	struct merge_builder builder; /* scratch */
 	struct component_set *set; /* borrowed: boxes grow */
 	struct collapses *work; /* borrowed */
 	struct removals *removals; /* borrowed */
