@@ -251,6 +251,29 @@ input_read(struct input *input, void *bytes, size_t room, size_t *got,
 	return TCS_OK;
 }
 
+bool
+input_is_plain_file(const struct input *input)
+{
+	const struct input_gz *gz = input->gz;
+
+	return input->can_rewind && !gz->packed;
+}
+
+enum tcs_status
+input_read_at(const struct input *input, uint64_t at, void *bytes, size_t room,
+	size_t *got, struct tcs_fault *fault)
+{
+	const struct input_gz *gz = input->gz;
+	ssize_t count;
+
+	do
+		count = pread(gz->fd, bytes, room, gz->start + (off_t)at);
+	while (count < 0 && errno == EINTR);
+	*got = count < 0 ? 0 : (size_t)count;
+	return count < 0 ? fault_system(fault, "cannot read", input->name)
+			 : TCS_OK;
+}
+
 enum tcs_status
 input_rewind(struct input *input, struct tcs_fault *fault)
 {

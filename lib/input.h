@@ -43,6 +43,18 @@ enum tcs_status input_rewind(
 enum tcs_status input_seek(
 	struct input *input, uint64_t at, struct tcs_fault *fault) TCS_CHECKED;
 
+/* Whether the input is a regular file whose bytes are delivered as stored. */
+bool input_is_plain_file(const struct input *input);
+
+/*
+ * Up to `room` bytes of such a file from any place, by several threads at once;
+ * *got is 0 at its end only. What input_read delivers next stays as it is.
+ * Fails with TCS_SYSTEM.
+ */
+enum tcs_status input_read_at(const struct input *input, uint64_t at,
+	void *bytes, size_t room, size_t *got,
+	struct tcs_fault *fault) TCS_CHECKED;
+
 /*
  * Before the first read: make an input that cannot be read twice one that can,
  * by copying all of it, as stored, to a file that has no name and vanishes with

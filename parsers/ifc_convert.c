@@ -275,8 +275,8 @@ static enum tcs_status
 load(struct convert *convert, struct input *input, struct tcs_fault *fault)
 {
 	struct step_bytes xml = {.count = 0};
-	enum tcs_status status = step_load(
-		&convert->text, input, convert->options->max_bytes, fault);
+	enum tcs_status status = step_load(&convert->text, input,
+		convert->options->max_bytes, convert->command->jobs, fault);
 
 	if (status || !ifcxml_is(convert->text.at, convert->text.count))
 		return status;

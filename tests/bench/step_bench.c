@@ -114,7 +114,7 @@ file_measure(const char *name, struct figures *total)
 	struct input input;
 
 	if (input_open(&input, name, &fault) ||
-		step_load(&bytes, &input, 0, &fault))
+		step_load(&bytes, &input, 0, 1, &fault))
 		die(name, fault.text);
 	input_close(&input);
 	figures.bytes = (double)bytes.count;

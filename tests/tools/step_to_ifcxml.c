@@ -287,7 +287,7 @@ main(int argc, char **argv)
 
 	nests = argc > 1 && *argv[1] == '4';
 	if (input_open(&input, NULL, &fault) ||
-		step_load(&bytes, &input, 0, &fault) ||
+		step_load(&bytes, &input, 0, 1, &fault) ||
 		step_index(&step, bytes.at, bytes.count, &report, &fault) ||
 		ifc_open(&file, &step, &fault))
 		die(fault.text);
