@@ -3,8 +3,9 @@
  */
 #include "collapses.h"
 
-/* 1 / |cos θ| is bounded: at this cosine a pull is straight out. */
-#define LEAST_COSINE 0.05
+/* 1 / |cos θ| is bounded: at this cosine a pull is straight out. What it opens
+   is watched, see seams.h, and has its own price. */
+#define LEAST_COSINE 0.5
 
 /* Metres that a border between surfaces may move while it is kept, and contacts
    that it is worth to keep it. */
@@ -105,10 +106,7 @@ collapse_cost(const struct collapses *work, uint32_t node, uint32_t target,
 		return cost;
 	if (cost * ratio > bound)
 		return cost * ratio;
-	/* `pull` is how far the vertex leaves the other component; it costs
-	   even where the shape stays as it is. */
 	pull = worst_sine(work, node, target, along);
-	cost += work->areas.at[node] * pull * pull;
 	rest = 1 - pull * pull / square;
 	rest = rest > LEAST_COSINE * LEAST_COSINE ? sqrt(rest) : LEAST_COSINE;
 	return cost * ratio / rest;

@@ -142,7 +142,7 @@ int
 main(int argc, char **argv)
 {
 	struct options options = {
-		.settings = {.source = SELECT_HIGHEST, .base_ratio = 2},
+		.settings = {.source = SELECT_HIGHEST, .base_ratio = 1},
 		.rate = -1,
 		.triangles = -1,
 		.lambda = -1,
@@ -181,7 +181,7 @@ main(int argc, char **argv)
 			"nothing to the best place (default: half-edge).",
 			&options.settings.placement, 0, 0, NULL},
 		{OPTION_NUMBER, 0, "a", "RATIO",
-			"How much dearer boundary vertices are (default: 2).",
+			"How much dearer boundary vertices are (default: 1).",
 			&options.settings.base_ratio, 1, 1000, NULL},
 		{OPTION_FLAG, 0, "keep-interior", NULL,
 			"Do not take parts away sooner where they are not "
