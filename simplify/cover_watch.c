@@ -120,12 +120,13 @@ take_over(struct cover_watch *watch, struct tcs_fault *fault)
 	return status;
 }
 
-enum tcs_status
-cover_watch_open(struct collapses *work, const struct contact_list *contacts,
-	const uint32_t *faces, size_t count, struct tcs_fault *fault)
+/* Those of the faces that are left. */
+static enum tcs_status
+list_covers(struct collapses *work, const uint32_t *faces, size_t count,
+	struct tcs_fault *fault)
 {
 	struct cover_watch *watch = &work->covers;
-	enum tcs_status status = begin(work, contacts, fault);
+	enum tcs_status status = TCS_OK;
 	uint32_t corners[3];
 
 	watch->losing.count = 0;
@@ -134,11 +135,23 @@ cover_watch_open(struct collapses *work, const struct contact_list *contacts,
 			half_edges_corners(work->mesh, faces[i], corners))
 			status = list_number(
 				watch, watch->numbers.at[faces[i]], fault);
+	keep_each_once(watch);
+	return status;
+}
+
+enum tcs_status
+cover_watch_open(struct collapses *work, const struct contact_list *contacts,
+	const uint32_t *faces, size_t count, struct tcs_fault *fault)
+{
+	struct cover_watch *watch = &work->covers;
+	enum tcs_status status = begin(work, contacts, fault);
+
+	if (!status)
+		status = list_covers(work, faces, count, fault);
 	if (!status && array_grow(&watch->at, 1))
 		status = fault_memory(fault);
 	if (status)
 		return status;
-	keep_each_once(watch);
 	watch->at.at[watch->at.count++] =
 		(struct cover){.first = (uint32_t)watch->covered.count};
 	return take_over(watch, fault);
@@ -306,6 +319,7 @@ worth_of_losing(const struct collapses *work)
 	return worth;
 }
 
+/* The contacts of what comes out. */
 static enum tcs_status
 list_losing(struct cover_watch *watch, struct tcs_fault *fault)
 {
@@ -383,6 +397,58 @@ cover_watch_look(struct collapses *work, uint32_t node, double *worth,
 	if (!status)
 		*worth = worth_of_losing(work);
 	return status;
+}
+
+/* All that is in the covers that are listed. */
+static enum tcs_status
+list_all(struct cover_watch *watch, struct tcs_fault *fault)
+{
+	watch->coming.count = 0;
+	for (size_t i = 0; i < watch->losing.count; i++) {
+		const struct cover *cover = &watch->at.at[watch->losing.at[i]];
+
+		if (array_grow(&watch->coming, cover->count))
+			return fault_memory(fault);
+		for (uint32_t k = 0; k < cover->count; k++)
+			if (!watch->covered.at[cover->first + k].bare)
+				watch->coming.at[watch->coming.count++] =
+					cover->first + k;
+	}
+	return list_losing(watch, fault);
+}
+
+/* A point that is left is held by what covers it, and watched there. */
+static void
+drop_held(struct cover_watch *watch, const struct seams *seams)
+{
+	size_t kept = 0;
+
+	for (size_t i = 0; i < watch->losing.count; i++)
+		if (seams->counts.at[watch->losing.at[i]].points == 0)
+			watch->losing.at[kept++] = watch->losing.at[i];
+	watch->losing.count = kept;
+}
+
+enum tcs_status
+cover_watch_worth(struct collapses *work, const uint32_t *faces, size_t count,
+	double *worth, struct tcs_fault *fault)
+{
+	struct cover_watch *watch = &work->covers;
+	enum tcs_status status;
+
+	*worth = 0;
+	if (!watch->list)
+		return TCS_OK;
+	status = list_covers(work, faces, count, fault);
+	if (status || watch->losing.count == 0)
+		return status;
+	status = list_all(watch, fault);
+	if (status)
+		return status;
+	drop_held(watch, work->seams);
+	*worth = worth_of_losing(work);
+	watch->coming.count = 0;
+	return TCS_OK;
 }
 
 bool

@@ -73,6 +73,11 @@ enum tcs_status cover_watch_look(struct collapses *work, uint32_t node,
    for. */
 bool cover_watch_loses(const struct cover_watch *watch, uint32_t contact);
 
+/* What all that these faces cover is worth: its contacts no point of which is
+   left to watch. Fails with TCS_NO_MEMORY. */
+enum tcs_status cover_watch_worth(struct collapses *work, const uint32_t *faces,
+	size_t count, double *worth, struct tcs_fault *fault) TCS_CHECKED;
+
 /* What was looked at is done. */
 void cover_watch_follow(struct collapses *work);
 

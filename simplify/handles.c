@@ -246,13 +246,32 @@ begin_cover(struct handles *handles, uint32_t host, struct tcs_fault *fault)
 	return status;
 }
 
+/* Where a part touched others is in the plate now. */
+static void
+forget_points(const struct handles *handles, const struct part *own)
+{
+	struct seams *seams = handles->work->seams;
+
+	for (uint32_t i = 0; i < own->count; i++) {
+		const uint32_t *hold =
+			&seams->faces.at[handles->removals->parts.faces
+						 .at[own->first + i]];
+
+		while (*hold != TCS_NONE)
+			seams_forget(seams, *hold / 2);
+	}
+}
+
 /* What has become one with it goes, and is covered. */
 static enum tcs_status
 become_one(struct handles *handles, uint32_t number, struct tcs_fault *fault)
 {
 	struct removals *removals = handles->removals;
 	const struct part *own = &removals->parts.at.at[number];
-	enum tcs_status status = removals_take(removals, number, fault);
+	enum tcs_status status;
+
+	forget_points(handles, own);
+	status = removals_take(removals, number, fault);
 
 	if (status || !own->gone || removals->parts.left.at[own->component] > 0)
 		return status;

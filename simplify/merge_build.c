@@ -9,33 +9,11 @@ struct build {
 	struct removals *removals;
 };
 
-/* The contacts of the points that the parts hold, one for each. */
-static enum tcs_status
-list_contacts(const struct build *build, struct tcs_fault *fault)
-{
-	const struct seams *seams = build->work->seams;
-	const struct merge_plan *plan = build->plan;
-	struct merge_builder *scratch = build->scratch;
-
-	scratch->contacts.count = 0;
-	for (size_t i = 0; i < plan->faces.count; i++)
-		for (uint32_t hold = seams->faces.at[plan->faces.at[i]];
-			hold != TCS_NONE; hold = seams->holds.at[hold].next) {
-			if (array_grow(&scratch->contacts, 1))
-				return fault_memory(fault);
-			scratch->contacts.at[scratch->contacts.count++] =
-				seams->points.at[hold / 2].contact;
-		}
-	number_sort(scratch->contacts.at, scratch->contacts.count);
-	return TCS_OK;
-}
-
-/* Contacts all points of which stand within the prism now are its own. */
+/* What they enclosed the prism does. */
 static void
 enclose(const struct build *build)
 {
 	const struct merge_plan *plan = build->plan;
-	const struct merge_builder *scratch = build->scratch;
 	struct parts *parts = &build->removals->parts;
 	uint32_t host = parts->at.at[plan->host].component;
 
@@ -46,13 +24,6 @@ enclose(const struct build *build)
 			continue;
 		parts->enclosed.at[host] += parts->enclosed.at[own];
 		parts->enclosed.at[own] = 0;
-	}
-	for (size_t i = 0; i < scratch->contacts.count; i++) {
-		uint32_t number = scratch->contacts.at[i];
-
-		if ((i == 0 || number != scratch->contacts.at[i - 1]) &&
-			build->work->seams->counts.at[number].points == 0)
-			parts->enclosed.at[host]++;
 	}
 }
 
@@ -133,18 +104,16 @@ merge_build(struct merge_builder *builder, const struct merge_plan *plan,
 	uint32_t component =
 		set->numbers
 			.at[work->sheets->face_triangles.at[plan->numbers[0]]];
-	enum tcs_status status = list_contacts(&build, fault);
+	enum tcs_status status;
 
 	for (unsigned i = 0; i < 2 * plan->prism.sides; i++)
 		component_set_enlarge(set, component, plan->prism.corners[i]);
-	if (!status)
-		status = put_prism(&build, fault);
+	status = put_prism(&build, fault);
 	return status ? status : join_parts(&build, fault);
 }
 
 void
 merge_builder_release(struct merge_builder *builder)
 {
-	array_release(&builder->contacts);
 	array_release(&builder->components);
 }

@@ -8,7 +8,6 @@
 
 /* Scratch; all zero is empty. */
 struct merge_builder {
-	TCS_ARRAY(uint32_t) contacts; /* one per point */
 	TCS_ARRAY(uint32_t) components; /* of the parts */
 };
 

@@ -146,20 +146,6 @@ nearest(const struct collapses *work, const struct refill *refill,
 	return best;
 }
 
-/* A point that stands in what was added is not asked after any more. */
-static void
-let_go(struct seams *seams, uint32_t hold, bool adds)
-{
-	struct seam_count *count =
-		&seams->counts.at[seams->points.at[hold / 2].contact];
-
-	seams_open(seams, hold / 2);
-	if (!adds)
-		return;
-	count->open--;
-	count->points--;
-}
-
 static enum tcs_status
 move_seams(struct collapses *work, const struct refill *refill,
 	struct tcs_fault *fault)
@@ -186,8 +172,10 @@ move_seams(struct collapses *work, const struct refill *refill,
 		if (move->off + other <= (double)seams->points.at[point].limit)
 			seams_move_hold(
 				seams, move->hold, move->face, move->off);
+		else if (refill->adds)
+			seams_forget(seams, point);
 		else
-			let_go(seams, move->hold, refill->adds);
+			seams_open(seams, point);
 	}
 	return TCS_OK;
 }

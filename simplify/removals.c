@@ -251,16 +251,20 @@ price_of(struct removals *removals, uint32_t number, double *price,
 	double allowed = removals->work->settings.max_error;
 	uint32_t faces = removals_faces(removals, number);
 	enum tcs_status status;
-	double broken;
+	double broken, covered = 0;
 
 	*price = INFINITY;
 	if (!faces || distance == INFINITY ||
 		(allowed > 0 && distance > allowed))
 		return TCS_OK;
-	status = list_contacts(removals, part, fault);
+	status = cover_watch_worth(removals->work,
+		removals->parts.faces.at + part->first, part->count, &covered,
+		fault);
+	if (!status)
+		status = list_contacts(removals, part, fault);
 	if (status)
 		return status;
-	broken = count_broken(removals, part) +
+	broken = covered + count_broken(removals, part) +
 		count_vanishing(removals, part) *
 			(visible > 0 ? SEEN_FACTOR : 1);
 	*price = (fmax(visible, HIDDEN_SHARE * part->area) * distance *

@@ -312,6 +312,17 @@ seams_open(struct seams *seams, uint32_t point)
 }
 
 void
+seams_forget(struct seams *seams, uint32_t point)
+{
+	struct seam_count *count =
+		&seams->counts.at[seams->points.at[point].contact];
+
+	seams_open(seams, point);
+	count->open--;
+	count->points--;
+}
+
+void
 seams_release(struct seams *seams)
 {
 	array_release(&seams->points);

@@ -86,6 +86,9 @@ void seams_move_hold(
 /* A point comes open: neither side holds it any more. */
 void seams_open(struct seams *seams, uint32_t point);
 
+/* A point is not asked after any more: it stands in what both sides are now. */
+void seams_forget(struct seams *seams, uint32_t point);
+
 void seams_release(struct seams *seams);
 
 #endif

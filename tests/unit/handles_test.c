@@ -300,16 +300,44 @@ what_has_become_one_stays_covered(void)
 	const struct cover_watch *covers = &scene.sample.work.covers;
 
 	add_wall(&scene, &two_openings, WALL);
-	sample_add_box(&scene.sample, WALL, at(1, 0.1, 1), at(1, 0.1, 1));
+	sample_add_box(&scene.sample, WALL, at(1, 0.005, 1), at(1, 0.1, 1));
 	begin(&scene);
 	close_all(&scene);
 	CHECK(scene.handles.closed == 2);
 	/* The wall, and what stood in one of its openings. */
 	CHECK(covers->at.at[covers->at.count - 1].count == 2);
+	/* Where they touched is within it, and not open. */
+	CHECK(scene.sample.seams.counts.at[0].open == 0);
 	sample_run(&scene.sample, 4);
 	CHECK(scene.sample.work.face_count == 12);
 	CHECK(fabs(sample_volume(&scene.sample, WALL) - 6 * 3 * THICK) < 1e-9);
 	end(&scene);
+}
+
+/* What covers something costs the contacts of that, too, if it goes. */
+static void
+what_has_become_one_goes_for_the_price_of_both(void)
+{
+	struct scene scene = {0};
+	struct tcs_fault fault;
+	double price[2];
+
+	for (int box = 0; box < 2; box++) {
+		add_wall(&scene, &one_opening, WALL);
+		sample_add_box(&scene.sample, WALL, at(7, 0, 0), at(1, 1, 1));
+		sample_add_box(&scene.sample, box ? WALL : WINDOW,
+			at(3, 0.1, 1), at(1, 0.1, 1));
+		begin(&scene);
+		close_all(&scene);
+		CHECK(!cover_watch_worth(&scene.sample.work,
+			scene.removals.parts.faces.at,
+			scene.removals.parts.at.at[0].count, &price[box],
+			&fault));
+		end(&scene);
+		scene = (struct scene){0};
+	}
+	CHECK(!(price[0] > 0));
+	CHECK(price[1] > 0);
 }
 
 /* A ring of boxes around nothing has no flat face with an inner outline, but
@@ -434,6 +462,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(what_stands_in_an_opening_stays_in_touch),
 	CHECK_TEST(what_is_of_the_same_surface_becomes_one),
 	CHECK_TEST(what_has_become_one_stays_covered),
+	CHECK_TEST(what_has_become_one_goes_for_the_price_of_both),
 	CHECK_TEST(a_round_ring_stays),
 	CHECK_TEST(a_rod_between_plates_stays),
 	CHECK_TEST(nothing_closes_while_errors_are_watched),
