@@ -256,18 +256,21 @@ count_broken(struct collapses *work)
 			&work->seams->counts.at[contact];
 		uint32_t times =
 			times_listed(work->opened.at, work->opened.count, i);
+		double broken;
 
 		if (times > 0 && cover_watch_loses(&work->covers, contact))
 			continue;
 		if (times > 0 && count->open + times >= count->points)
 			return false;
-		if (times > 0)
-			work->broken +=
-				(seam_broken(count, count->open + times) -
-					seam_broken(count, count->open)) *
-				(work->worths.count > 0 ? (double)work->worths
-								  .at[contact]
-							: 1);
+		if (times == 0)
+			continue;
+		broken = seam_broken(count, count->open + times) -
+			seam_broken(count, count->open);
+		work->breaks_contact |= broken > 0;
+		work->broken += broken *
+			(work->worths.count > 0
+					? (double)work->worths.at[contact]
+					: 1);
 	}
 	return true;
 }
@@ -454,6 +457,7 @@ count_harm(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 		return status;
 	count_vanishing(work);
 	work->broken += volume_watch_worth(work, node) + uncovered;
+	work->breaks_contact |= uncovered > 0;
 	return TCS_OK;
 }
 
@@ -468,6 +472,7 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 	*fine = true;
 	work->touched.count = work->moves.count = work->opened.count = 0;
 	work->broken = 0;
+	work->breaks_contact = false;
 	work->volume.change = 0;
 	work->leaving.count = work->apart.count = work->ring.count = 0;
 	work->ring_is_open = false;

@@ -278,7 +278,7 @@ try_first(struct collapses *work, struct tcs_fault *fault)
 				       INFINITY)) <= first.cost;
 		/* Without worths the price is less than it is. */
 		work->wants_worths =
-			fine && work->broken > 0 && work->worths.count == 0;
+			fine && work->breaks_contact && work->worths.count == 0;
 	}
 	if (fine && !work->wants_worths)
 		return collapse(work, first.node, target, fault);

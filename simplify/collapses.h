@@ -90,6 +90,7 @@ struct collapses {
 	/* What collapse_check found out: */
 	double broken; /* contacts, each by its worth, surfaces, crossings,
 	                  components crushed or uncovered */
+	bool breaks_contact; /* some of it is due to contacts */
 	TCS_ARRAY(uint32_t) touched; /* the nodes around */
 	TCS_ARRAY(struct seam_move) moves;
 	TCS_ARRAY(struct ring_face) ring; /* those that stay */
