@@ -5,6 +5,9 @@
 
 #include "vector.h"
 
+/* Pixels: no edge is farther from where it is said to be. */
+#define ROUNDING 1e-3
+
 static struct tcs_point
 unit(struct tcs_point a)
 {
@@ -113,21 +116,15 @@ linear_from(const struct spot *a, const struct spot *b, double whole)
 	return (struct linear){-(x * a->x + y * a->y), x, y};
 }
 
-/* Where one side of a triangle is in a row: in pixels, linear in y; the
-   triangle is on its right or on its left. */
+/* Where one side of a triangle is in a row, in pixels: linear in y. */
 struct side {
 	double at, slope;
-	bool is_left;
 };
 
-/* A level one leaves the rows as they are. */
-static struct side
-side_of(const struct linear *inside)
+static double
+side_at(const struct side *side, double y)
 {
-	if (!(fabs(inside->x) > 0))
-		return (struct side){-INFINITY, 0, true};
-	return (struct side){-inside->at / inside->x - 0.5,
-		-inside->y / inside->x, inside->x > 0};
+	return side->at + side->slope * y;
 }
 
 /* A run of pixels of one row. */
@@ -151,12 +148,32 @@ draw_run(const struct run *run, int count)
 	}
 }
 
-/* A triangle in pixels. */
+/* A triangle in pixels. It has two sides on its left, or two on its right; what
+   is less than two is no bound. */
 struct drawn {
-	struct side sides[3];
+	struct side left[2], right[2];
 	struct linear nearness;
 	uint32_t number;
 };
+
+static void
+set_sides(struct drawn *drawn, const struct linear inside[3])
+{
+	int left = 0, right = 0;
+
+	drawn->left[0] = drawn->left[1] = (struct side){-INFINITY, 0};
+	drawn->right[0] = drawn->right[1] = (struct side){INFINITY, 0};
+	for (int i = 0; i < 3; i++) {
+		struct side side = {-inside[i].at / inside[i].x - 0.5,
+			-inside[i].y / inside[i].x};
+
+		/* A level one leaves the rows as they are. */
+		if (inside[i].x > 0)
+			drawn->left[left++] = side;
+		else if (inside[i].x < 0)
+			drawn->right[right++] = side;
+	}
+}
 
 static void
 draw_row(struct raster *raster, const struct drawn *drawn, int row)
@@ -166,13 +183,9 @@ draw_row(struct raster *raster, const struct drawn *drawn, int row)
 	int first, last;
 	size_t at;
 
-	for (int i = 0; i < 3; i++) {
-		double x = drawn->sides[i].at + drawn->sides[i].slope * y;
-
-		if (drawn->sides[i].is_left)
-			low = greater(low, x);
-		else
-			high = lesser(high, x);
+	for (int i = 0; i < 2; i++) {
+		low = greater(low, side_at(&drawn->left[i], y));
+		high = lesser(high, side_at(&drawn->right[i], y));
 	}
 	if (!(low <= high))
 		return;
@@ -190,30 +203,52 @@ draw_row(struct raster *raster, const struct drawn *drawn, int row)
 			last - first + 1);
 }
 
+/* Whether no middle of a pixel lies between two edges, however they are
+   rounded. */
+static bool
+is_between_pixels(double low, double high)
+{
+	return high - low < 1 &&
+		ceil(low - 0.5 - ROUNDING) > floor(high - 0.5 + ROUNDING);
+}
+
+static void
+draw_rows(struct raster *raster, const struct spot *a, const struct spot *b,
+	const struct spot *c, double whole, int top, int bottom,
+	uint32_t number)
+{
+	double near_u = a->nearness - c->nearness;
+	double near_v = b->nearness - c->nearness;
+	struct linear sides[3] = {linear_from(b, c, whole),
+		linear_from(c, a, whole), linear_from(a, b, whole)};
+	const struct linear *u = &sides[0], *v = &sides[1];
+	struct drawn drawn = {
+		.nearness = {c->nearness + u->at * near_u + v->at * near_v,
+			u->x * near_u + v->x * near_v,
+			u->y * near_u + v->y * near_v},
+		.number = number};
+
+	set_sides(&drawn, sides);
+	for (int row = top; row <= bottom; row++)
+		draw_row(raster, &drawn, row);
+}
+
 static void
 draw_triangle(struct raster *raster, const struct spot *a, const struct spot *b,
 	const struct spot *c, uint32_t number)
 {
 	double whole = turn(a, b, c->x, c->y);
-	double near_u = a->nearness - c->nearness;
-	double near_v = b->nearness - c->nearness;
-	struct linear u = linear_from(b, c, whole);
-	struct linear v = linear_from(c, a, whole);
-	struct linear w = linear_from(a, b, whole);
-	struct drawn drawn = {{side_of(&u), side_of(&v), side_of(&w)},
-		{c->nearness + u.at * near_u + v.at * near_v,
-			u.x * near_u + v.x * near_v,
-			u.y * near_u + v.y * near_v},
-		number};
 	int top, bottom;
 
-	if (!(fabs(whole) > 0))
+	if (!(fabs(whole) > 0) ||
+		is_between_pixels(lesser(a->x, lesser(b->x, c->x)),
+			greater(a->x, greater(b->x, c->x))))
 		return;
 	pixel_range(lesser(a->y, lesser(b->y, c->y)),
 		greater(a->y, greater(b->y, c->y)), raster->size, &top,
 		&bottom);
-	for (int row = top; row <= bottom; row++)
-		draw_row(raster, &drawn, row);
+	if (top <= bottom)
+		draw_rows(raster, a, b, c, whole, top, bottom, number);
 }
 
 static enum tcs_status

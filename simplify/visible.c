@@ -14,6 +14,7 @@ enum { RAYS_PER_PIECE = 4096 };
 struct tally {
 	uint32_t *pixels; /* of each triangle */
 	uint64_t *open; /* of each: the directions in which it may be seen */
+	bool *shown; /* of each group: some pixel shows it */
 	struct raster raster;
 	bool failed; /* for want of memory */
 };
@@ -87,25 +88,42 @@ is_open(const struct raster *raster, const struct view *view,
 	int size = (int)raster->size;
 	int column = (int)floor(spot->x), row = (int)floor(spot->y);
 
-	for (int y = row - 1; y <= row + 1; y++)
-		for (int x = column - 1; x <= column + 1; x++)
-			if (x < 0 || y < 0 || x >= size || y >= size ||
-				(double)raster->nearness[(size_t)y *
-						raster->size +
-					(size_t)x] <= reached)
-				return true;
+	if (column < 1 || row < 1 || column + 1 >= size || row + 1 >= size)
+		return true;
+	for (int y = row - 1; y <= row + 1; y++) {
+		const float *there = raster->nearness +
+			(size_t)y * raster->size + (size_t)column;
+
+		if ((double)there[-1] <= reached ||
+			(double)there[0] <= reached ||
+			(double)there[1] <= reached)
+			return true;
+	}
 	return false;
+}
+
+/* Which groups need no ray. */
+static void
+note_shown(const struct looking *looking, struct tally *tally)
+{
+	const uint32_t *groups = looking->views->groups;
+
+	for (size_t i = 0; groups && i < looking->count; i++)
+		if (tally->pixels[i])
+			tally->shown[groups[i]] = true;
 }
 
 static void
 note_open(const struct looking *looking, const struct view *view,
 	unsigned number, struct tally *tally)
 {
+	const uint32_t *groups = looking->views->groups;
+
 	for (size_t i = 0; i < looking->count; i++) {
 		struct triangle_shape shape;
 		struct spot spot;
 
-		if (tally->pixels[i])
+		if (groups ? tally->shown[groups[i]] : tally->pixels[i] > 0)
 			continue;
 		shape = shape_at(looking, i);
 		spot = view_spot(view, tally->raster.size, centre_of(&shape));
@@ -123,7 +141,9 @@ draw_some(void *context, size_t piece, size_t first, size_t end)
 
 	tally->pixels = calloc(looking->count, sizeof *tally->pixels);
 	tally->open = calloc(looking->count, sizeof *tally->open);
-	tally->failed = !tally->pixels || !tally->open;
+	tally->shown =
+		calloc(looking->views->group_count + 1, sizeof *tally->shown);
+	tally->failed = !tally->pixels || !tally->open || !tally->shown;
 	for (size_t i = first; i < end && !tally->failed; i++) {
 		unsigned number = (unsigned)i;
 		struct view view = view_parallel(looking->ways[number],
@@ -136,6 +156,7 @@ draw_some(void *context, size_t piece, size_t first, size_t end)
 		if (tally->failed)
 			break;
 		count_pixels(tally);
+		note_shown(looking, tally);
 		note_open(looking, &view, number, tally);
 	}
 	raster_release(&tally->raster);
@@ -147,11 +168,16 @@ add_up(struct looking *looking, size_t pieces)
 {
 	struct tally *all = looking->tallies;
 
-	for (size_t k = 1; k < pieces; k++)
+	for (size_t k = 1; k < pieces; k++) {
+		const struct tally *more = &looking->tallies[k];
+
 		for (size_t i = 0; i < looking->count; i++) {
-			all->pixels[i] += looking->tallies[k].pixels[i];
-			all->open[i] |= looking->tallies[k].open[i];
+			all->pixels[i] += more->pixels[i];
+			all->open[i] |= more->open[i];
 		}
+		for (size_t i = 0; i < looking->views->group_count; i++)
+			all->shown[i] |= more->shown[i];
+	}
 }
 
 static enum tcs_status
@@ -246,25 +272,15 @@ cast_some(void *context, size_t piece, size_t first, size_t end)
 }
 
 /* What needs no ray is not open any more. */
-static enum tcs_status
-close_groups(struct looking *looking, struct tcs_fault *fault)
+static void
+close_groups(struct looking *looking)
 {
 	const uint32_t *groups = looking->views->groups;
 	struct tally *all = looking->tallies;
-	bool *shown;
 
-	if (!groups)
-		return TCS_OK;
-	shown = calloc(looking->views->group_count + 1, sizeof *shown);
-	if (!shown)
-		return fault_memory(fault);
-	for (size_t i = 0; i < looking->count; i++)
-		shown[groups[i]] |= all->pixels[i] > 0;
-	for (size_t i = 0; i < looking->count; i++)
-		if (shown[groups[i]])
+	for (size_t i = 0; groups && i < looking->count; i++)
+		if (all->shown[groups[i]])
 			all->open[i] = 0;
-	free(shown);
-	return TCS_OK;
 }
 
 static bool
@@ -298,9 +314,10 @@ grow_tree(struct looking *looking, struct tcs_fault *fault)
 static enum tcs_status
 cast_all(struct looking *looking, struct tcs_fault *fault)
 {
-	enum tcs_status status = close_groups(looking, fault);
+	enum tcs_status status = TCS_OK;
 
-	if (!status && any_ray(looking))
+	close_groups(looking);
+	if (any_ray(looking))
 		status = grow_tree(looking, fault);
 	return status
 		? status
@@ -359,6 +376,7 @@ visible_find(const struct tcs_point *points, size_t point_count,
 	for (size_t i = 0; i < pieces; i++) {
 		free(looking.tallies[i].pixels);
 		free(looking.tallies[i].open);
+		free(looking.tallies[i].shown);
 	}
 	free(looking.tallies);
 	triangle_tree_release(&looking.tree);
