@@ -45,7 +45,7 @@ struct ring_face {
 	uint32_t nodes[3];
 	struct triangle_shape shape; /* its first corner is where it moves */
 	struct tcs_point normal; /* twice the area long */
-	struct float_box box; /* where crossings are looked for */
+	struct box box; /* where crossings are looked for */
 };
 
 /* Which face will hold a point of a seam; TCS_NONE: it comes open. */

@@ -12,6 +12,12 @@ struct target {
 	struct tcs_point normal; /* of length 1 */
 };
 
+static int
+next_of(int corner)
+{
+	return corner < 2 ? corner + 1 : 0;
+}
+
 /* Inside by more than the depth; the point lies in the plane. */
 static bool
 is_well_inside(const struct target *target, struct tcs_point point)
@@ -19,7 +25,7 @@ is_well_inside(const struct target *target, struct tcs_point point)
 	for (int i = 0; i < 3; i++) {
 		struct tcs_point from = target->shape->corner[i];
 		struct tcs_point side = vector_difference(
-			target->shape->corner[(i + 1) % 3], from);
+			target->shape->corner[next_of(i)], from);
 		double inward = vector_dot(vector_cross(target->normal, side),
 			vector_difference(point, from));
 
@@ -58,11 +64,12 @@ is_pierced(const struct target *target, const struct triangle_shape *by,
 	const double height[3])
 {
 	for (int i = 0; i < 3; i++) {
-		int k = (i + 1) % 3;
-		double least = height[i] < height[k] ? height[i] : height[k];
-		double most = height[i] < height[k] ? height[k] : height[i];
+		int k = next_of(i);
 
-		if (least < -CROSSING_DEPTH && most > CROSSING_DEPTH &&
+		if (((height[i] < -CROSSING_DEPTH &&
+			     height[k] > CROSSING_DEPTH) ||
+			    (height[k] < -CROSSING_DEPTH &&
+				    height[i] > CROSSING_DEPTH)) &&
 			is_well_inside(target,
 				vector_along(by->corner[i],
 					vector_difference(
@@ -71,6 +78,19 @@ is_pierced(const struct target *target, const struct triangle_shape *by,
 			return true;
 	}
 	return false;
+}
+
+/* Whether edges of `by` pass through the plane of a triangle at all. */
+static bool
+is_cut(const struct triangle_shape *shape, struct tcs_point normal,
+	const struct triangle_shape *by)
+{
+	const struct target target = {shape, normal};
+	double height[3];
+
+	find_heights(&target, by, height);
+	return (height[0] < 0 || height[1] < 0 || height[2] < 0) &&
+		(height[0] > 0 || height[1] > 0 || height[2] > 0);
 }
 
 /* False where it has no normal. */
@@ -98,7 +118,7 @@ triangles_cross_along(const struct triangle_shape *a, struct tcs_point normal,
 		return false;
 	if (is_pierced(&target, b, height))
 		return true;
-	if (!aim_at(b, &target))
+	if (!is_cut(b, triangle_normal(b), a) || !aim_at(b, &target))
 		return false;
 	find_heights(&target, a, height);
 	return is_pierced(&target, a, height);

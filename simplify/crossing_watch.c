@@ -99,6 +99,16 @@ struct bundle {
 	struct box box;
 };
 
+static struct box
+box_around(const struct triangle_shape *shape)
+{
+	struct box box = BOX_EMPTY;
+
+	for (int k = 0; k < 3; k++)
+		box_add_point(&box, shape->corner[k]);
+	return box;
+}
+
 static struct bundle
 bundle_of(struct ring_face *faces, size_t count)
 {
@@ -110,9 +120,8 @@ bundle_of(struct ring_face *faces, size_t count)
 
 		faces[i].normal =
 			length > 0 ? vector_scaled(normal, 1 / length) : normal;
-		faces[i].box = float_box_of(&faces[i].shape);
-		for (int k = 0; k < 3; k++)
-			box_add_point(&bundle.box, faces[i].shape.corner[k]);
+		faces[i].box = box_around(&faces[i].shape);
+		box_add(&bundle.box, &faces[i].box);
 	}
 	return bundle;
 }
@@ -154,16 +163,28 @@ have_an_edge(const struct ring_face *a, const struct ring_face *b)
 }
 
 static bool
-crosses_any(const struct bundle *bundle, const struct ring_face *other)
+boxes_meet(const struct box *a, const struct box *b)
 {
-	struct float_box box = float_box_of(&other->shape);
+	for (int i = 0; i < 3; i++)
+		if (a->low[i] > b->high[i] || a->high[i] < b->low[i])
+			return false;
+	return true;
+}
 
+/* Faces that have nothing to do with each other have no edge in common. */
+static bool
+crosses_any(const struct bundle *bundle, struct ring_face *other, bool kin)
+{
+	other->box = box_around(&other->shape);
+	if (!boxes_meet(&bundle->box, &other->box))
+		return false;
 	for (size_t i = 0; i < bundle->count; i++) {
 		const struct ring_face *face = &bundle->faces[i];
 
-		if (float_boxes_meet(&face->box, &box) &&
-			face->face != other->face &&
-			!have_an_edge(face, other) &&
+		if (boxes_meet(&face->box, &other->box) &&
+			(!kin ||
+				(face->face != other->face &&
+					!have_an_edge(face, other))) &&
 			triangles_cross_along(
 				&face->shape, face->normal, &other->shape))
 			return true;
@@ -189,6 +210,7 @@ crosses_component(struct collapses *work, const struct bundle *bundle,
 	struct tcs_fault *fault)
 {
 	struct crossing_watch *watch = &work->crossings;
+	bool kin = component == component_of(work, bundle->faces[0].face);
 	struct float_box box = inner_box(bundle);
 	enum tcs_status status = face_boxes_near(
 		&work->seams->boxes, component, &box, &watch->near, fault);
@@ -198,7 +220,7 @@ crosses_component(struct collapses *work, const struct bundle *bundle,
 		struct ring_face other;
 
 		*crosses = face_with(work, watch->near.at[i], stand, &other) &&
-			crosses_any(bundle, &other);
+			crosses_any(bundle, &other, kin);
 	}
 	return status;
 }
@@ -368,7 +390,7 @@ refill_crosses(struct collapses *work, const struct refill *refill,
 
 		if (!number_is_among(refill->faces, refill->face_count, face))
 			*crosses = face_with(work, face, nowhere, &other) &&
-				crosses_any(bundle, &other);
+				crosses_any(bundle, &other, true);
 	}
 	return status;
 }
