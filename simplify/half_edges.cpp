@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -51,6 +52,8 @@ struct refilling {
 
 struct half_edges {
 	OpenMesh::ArrayKernel kernel;
+	std::vector<std::uint32_t> triples; /* three vertices per face, from
+	                                       where its half-edge begins */
 	std::vector<std::uint32_t> marks; /* of vertices */
 	std::uint32_t mark = 0;
 
@@ -98,6 +101,19 @@ struct half_edges {
 		return half.is_valid() && is_open(half) ? turn(half) : half;
 	}
 
+	/* The face is gone. */
+	void forget(Face face)
+	{
+		kernel.set_halfedge_handle(face, Half());
+		*corners(face) = HALF_EDGE_NONE;
+	}
+
+	std::uint32_t *corners(Face face)
+	{
+		return triples.data() +
+			3 * static_cast<std::size_t>(face.idx());
+	}
+
 	template <typename Visit> void around(Vertex vertex, Visit visit) const
 	{
 		Half begin = first(vertex);
@@ -117,6 +133,8 @@ struct half_edges {
 	half_edges(const std::uint32_t *corners, const std::uint32_t *opposites,
 		std::size_t face_count, std::size_t vertex_count);
 	void settle(Vertex vertex, Half outgoing);
+	void change_corner(Face face, Vertex from, Vertex to);
+	void begin_at(Face face, Half half);
 	void list_refilling(refilling &fill, const std::uint32_t *faces,
 		std::size_t face_count) const;
 	void link_refilling(const refilling &fill, const std::uint32_t *numbers,
@@ -153,6 +171,7 @@ half_edges::link_corners(const std::uint32_t *corners,
 		kernel.set_face_handle(half, handle<Face>(c / 3));
 		kernel.set_halfedge_handle(handle<Face>(c / 3), half);
 		kernel.set_halfedge_handle(handle<Vertex>(corners[c]), half);
+		triples[3 * (c / 3) + (c + 1) % 3] = corners[c];
 	}
 }
 
@@ -183,7 +202,7 @@ half_edges::link_open()
 half_edges::half_edges(const std::uint32_t *corners,
 	const std::uint32_t *opposites, std::size_t face_count,
 	std::size_t vertex_count)
-    : marks(vertex_count)
+    : triples(3 * face_count), marks(vertex_count)
 {
 	link_corners(corners, opposites, face_count);
 	link_open();
@@ -234,14 +253,12 @@ bool
 half_edges_corners(const struct half_edges *mesh, uint32_t face,
 	uint32_t corners[3]) noexcept
 {
-	Half half = mesh->kernel.halfedge_handle(handle<Face>(face));
+	const std::uint32_t *own =
+		mesh->triples.data() + 3 * static_cast<std::size_t>(face);
 
-	if (!half.is_valid())
-		return false;
-	half = mesh->previous(half);
-	for (int k = 0; k < 3; k++, half = mesh->next(half))
-		corners[k] = number(mesh->head(half));
-	return true;
+	for (int k = 0; k < 3; k++)
+		corners[k] = own[k];
+	return own[0] != HALF_EDGE_NONE;
 }
 
 void
@@ -310,6 +327,28 @@ half_edges::settle(Vertex vertex, Half outgoing)
 	kernel.set_halfedge_handle(vertex, outgoing);
 }
 
+void
+half_edges::change_corner(Face face, Vertex from, Vertex to)
+{
+	std::uint32_t *own = corners(face);
+
+	for (int k = 0; k < 3; k++)
+		if (own[k] == number(from))
+			own[k] = number(to);
+}
+
+/* Let a face know one of its half-edges. */
+void
+half_edges::begin_at(Face face, Half half)
+{
+	std::uint32_t *own = corners(face);
+	std::uint32_t tail = number(head(opposite(half)));
+
+	kernel.set_halfedge_handle(face, half);
+	while (own[0] != tail)
+		std::rotate(own, own + 1, own + 3);
+}
+
 /*
  * Take the half-edge, whose ends are one by now, out of its loop. A triangle
  * goes with it: of its two other edges one takes the place of both.
@@ -330,8 +369,8 @@ half_edges::drop(Half half)
 	kernel.set_next_halfedge_handle(kept, next(outside));
 	kernel.set_next_halfedge_handle(previous(outside), kept);
 	if (face(outside).is_valid())
-		kernel.set_halfedge_handle(face(outside), kept);
-	kernel.set_halfedge_handle(gone, Half());
+		begin_at(face(outside), kept);
+	forget(gone);
 	settle(apex, back);
 	return number(gone);
 }
@@ -349,6 +388,8 @@ half_edges_collapse(
 
 	mesh->around(tail, [&](Half spoke) {
 		mesh->kernel.set_vertex_handle(mesh->opposite(spoke), head);
+		if (!mesh->is_open(spoke))
+			mesh->change_corner(mesh->face(spoke), tail, head);
 	});
 	mesh->kernel.set_halfedge_handle(tail, Half());
 	for (Half side : {half, back}) {
@@ -370,7 +411,7 @@ half_edges_take_away(struct half_edges *mesh, uint32_t face) noexcept
 		return;
 	for (int k = 0; k < 3; k++, half = mesh->next(half))
 		mesh->kernel.set_halfedge_handle(mesh->head(half), Half());
-	mesh->kernel.set_halfedge_handle(gone, Half());
+	mesh->forget(gone);
 }
 
 /* ---- refilling ----------------------------------------------------------- */
@@ -439,6 +480,8 @@ half_edges::link_refilling(const refilling &fill, const std::uint32_t *numbers,
 				halves[k], handle<Face>(numbers[i]));
 		}
 		kernel.set_halfedge_handle(handle<Face>(numbers[i]), halves[0]);
+		std::copy(
+			own, own + 3, this->corners(handle<Face>(numbers[i])));
 	}
 	for (std::size_t c = 0; c < 3 * count; c++) {
 		Ends ends = {corners[c], corners[c % 3 == 2 ? c - 2 : c + 1]};
@@ -461,8 +504,7 @@ half_edges_refill(struct half_edges *mesh, const uint32_t *faces,
 		return fault_memory(fault);
 	}
 	for (std::size_t i = 0; i < face_count; i++)
-		mesh->kernel.set_halfedge_handle(
-			handle<Face>(faces[i]), Half());
+		mesh->forget(handle<Face>(faces[i]));
 	for (Vertex vertex : fill.vertices)
 		mesh->kernel.set_halfedge_handle(vertex, Half());
 	mesh->link_refilling(fill, numbers, corners, triangle_count);
