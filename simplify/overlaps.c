@@ -334,16 +334,20 @@ visit_near(struct search *search)
 
 /* ---- all faces ------------------------------------------------------------ */
 
+/* Whether a face has other corners than it came with, or they are elsewhere. */
 static bool
-is_changed(const struct collapses *work, uint32_t face, const uint32_t nodes[3])
+is_changed(const struct collapses *work, const struct plate *plate)
 {
-	const struct sheets *sheets = work->sheets;
+	const uint32_t *corners = work->sheets->corners.at + 3 * plate->face;
+	uint32_t shift = 0;
 
+	/* They need not begin with the same one. */
+	while (shift < 2 && node_of(work, corners[shift]) != plate->nodes[0])
+		shift++;
 	for (uint32_t k = 0; k < 3; k++)
-		if (nodes[k] !=
-				node_of(work,
-					sheets->corners.at[3 * face + k]) ||
-			collapses_is_moved(work, nodes[k]))
+		if (plate->nodes[k] !=
+				node_of(work, corners[(k + shift) % 3]) ||
+			collapses_is_moved(work, plate->nodes[k]))
 			return true;
 	return false;
 }
@@ -395,7 +399,7 @@ list_faces(struct overlaps *overlaps, const struct collapses *work,
 		overlaps->changed.at[i] = false;
 		if (!load_plate(work, i, &plate))
 			continue;
-		overlaps->changed.at[i] = is_changed(work, i, plate.nodes);
+		overlaps->changed.at[i] = is_changed(work, &plate);
 		*face = (struct overlap_face){i,
 			{(float)plate.normal.x, (float)plate.normal.y,
 				(float)plate.normal.z}};
