@@ -174,9 +174,11 @@ full_cost(const struct collapses *work, double cost)
 	return cost;
 }
 
-/* Aim at the cheapest neighbour that is fine, at its full cost. */
+/* Aim at the cheapest neighbour that is fine, at its full cost; what `known` is
+   aimed at costs as much as it says. */
 static enum tcs_status
-judge_again(struct collapses *work, uint32_t node, struct tcs_fault *fault)
+judge_again(struct collapses *work, uint32_t node, struct queue_entry known,
+	struct tcs_fault *fault)
 {
 	struct queue_entry best = {INFINITY, TCS_NONE};
 	enum tcs_status status = find_candidates(work, node, fault);
@@ -190,8 +192,14 @@ judge_again(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 
 		if (there.cost >= best.cost)
 			break;
-		status = placement_check(work, node, there.node, &fine, fault);
-		there.cost = full_cost(work, there.cost);
+		if (there.node == known.node) {
+			there = known;
+			fine = known.cost < INFINITY;
+		} else {
+			status = placement_check(
+				work, node, there.node, &fine, fault);
+			there.cost = full_cost(work, there.cost);
+		}
 		if (!status && fine && is_cheaper(&there, &best))
 			best = there;
 	}
@@ -266,24 +274,27 @@ try_first(struct collapses *work, struct tcs_fault *fault)
 {
 	struct queue_entry first = *node_queue_first(&work->queue);
 	uint32_t target = work->targets.at[first.node];
+	struct queue_entry known = {INFINITY, target};
 	bool fine;
 	enum tcs_status status =
 		placement_check(work, first.node, target, &fine, fault);
 
 	if (status)
 		return status;
-	if (fine && (work->broken > 0 || work->is_strained)) {
-		fine = full_cost(work,
-			       placement_cost(work, first.node, target,
-				       INFINITY)) <= first.cost;
-		/* Without worths the price is less than it is. */
-		work->wants_worths =
-			fine && work->breaks_contact && work->worths.count == 0;
-	}
-	if (fine && !work->wants_worths)
-		return collapse(work, first.node, target, fault);
-	return work->wants_worths ? TCS_OK
-				  : judge_again(work, first.node, fault);
+	if (fine)
+		known.cost = work->broken > 0 || work->is_strained
+			? full_cost(work,
+				  placement_cost(
+					  work, first.node, target, INFINITY))
+			: first.cost;
+	/* Without worths the price is less than it is. */
+	work->wants_worths = known.cost <= first.cost && work->breaks_contact &&
+		work->worths.count == 0;
+	if (work->wants_worths)
+		return TCS_OK;
+	return known.cost <= first.cost
+		? collapse(work, first.node, target, fault)
+		: judge_again(work, first.node, known, fault);
 }
 
 /* Unless that is done. */
