@@ -157,9 +157,14 @@ texture_value_end(struct gml_reader *reader, const struct name *name,
 {
 	struct texture_text *texture = &reader->texture;
 
+	if (!strcmp(name->local, "textureMap"))
+		return gml_keep(reader, &texture->uri, fault);
 	switch (name->local[0]) {
 	case 'i':
 		return gml_keep(reader, &texture->uri, fault);
+	case 'r':
+		return text_keep(&texture->wrap,
+			read_boolean(reader) ? "wrap" : "none", 4, fault);
 	case 'm':
 		return gml_keep(reader, &texture->mime, fault);
 	case 't':
@@ -211,6 +216,10 @@ surface_data_end(struct gml_reader *reader, const struct name *name,
 
 	if (raw->paints.count == reader->first_paint)
 		return TCS_OK;
+	if (gml_top(reader)->paints)
+		status = textured_end(reader, fault);
+	if (status)
+		return status;
 	if (name->kind == NAME_MATERIAL)
 		status = material_add(reader, &material, fault);
 	else

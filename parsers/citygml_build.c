@@ -23,6 +23,7 @@ builder_release(struct builder *builder)
 	array_release(&builder->scaled);
 	array_release(&builder->ring_sizes);
 	array_release(&builder->ring_ids);
+	array_release(&builder->ring_places);
 	array_release(&builder->paints);
 	array_release(&builder->texcoords);
 	array_release(&builder->order);

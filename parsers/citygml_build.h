@@ -36,6 +36,7 @@ struct builder {
 	TCS_ARRAY(struct tcs_point) scaled; /* the same in metres */
 	TCS_ARRAY(uint32_t) ring_sizes;
 	TCS_ARRAY(tcs_text) ring_ids;
+	TCS_ARRAY(uint32_t) ring_places; /* in the raw polygon */
 	TCS_ARRAY(struct build_paint) paints; /* sorted by polygon */
 	struct number_list texcoords; /* of one ring */
 	TCS_ARRAY(uint32_t) order; /* of the attributes */

@@ -299,7 +299,14 @@ skip_unknown(
 	return gml_skip(reader);
 }
 
-/* Up to CityGML 0.4 they may stand in the surface. */
+static bool
+is_textured(const struct frame *frame)
+{
+	return frame->name->kind == NAME_ORIENTABLE &&
+		!strcmp(frame->name->local, "TexturedSurface");
+}
+
+/* They may stand in a TexturedSurface, and nowhere else. */
 static enum tcs_status
 skip_texture(struct gml_reader *reader, const struct name *name,
 	struct tcs_fault *fault)
@@ -324,6 +331,10 @@ geometry_child(struct gml_reader *reader, struct name *name,
 	if (name->kind == NAME_CURVE_UNKNOWN ||
 		name->kind == NAME_SURFACE_UNKNOWN)
 		return skip_unknown(reader, name, fault);
+	if (is_textured(parent) && !strcmp(name->local, "appearance"))
+		return textured_begin(reader, name, attributes, count, fault);
+	if (parent->paints)
+		return textured_child(reader, name, attributes, count, fault);
 	if (name->kind == NAME_TEXTURE || name->kind == NAME_MATERIAL)
 		return skip_texture(reader, name, fault);
 	status = gml_push(reader, name, ROLE_GEOMETRY, &frame, fault);

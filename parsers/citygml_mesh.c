@@ -187,8 +187,7 @@ paint_find(struct gml_reader *reader, const struct mesh_file *mesh,
 	return status;
 }
 
-/* The last members, which are these faces, as a target of what is on them: its
- * id cannot be one of the document's, which have no control characters. */
+/* What is on the last members, which are these faces. */
 static enum tcs_status
 paint_use(struct gml_reader *reader, const struct mesh_file *mesh,
 	const struct mesh_face *face, const struct mesh_face *end,
@@ -198,22 +197,16 @@ paint_use(struct gml_reader *reader, const struct mesh_file *mesh,
 	struct raw_paint paint = {.image = TCS_NONE};
 	enum tcs_status status =
 		paint_find(reader, mesh, face, end, first_image, &paint, fault);
-	char id[32];
 
-	snprintf(id, sizeof id, "\1%zu", raw->targets.count);
 	if (!status)
-		status = gml_text(reader, id, strlen(id), &paint.target, fault);
+		status = members_name(reader,
+			(uint32_t)(raw->members.count - (size_t)(end - face)),
+			&paint.target, fault);
 	if (status)
 		return status;
-	if (array_grow(&raw->paints, 1) || array_grow(&raw->targets, 1))
+	if (array_grow(&raw->paints, 1))
 		return fault_memory(fault);
 	raw->paints.at[raw->paints.count++] = paint;
-	raw->targets.at[raw->targets.count++] = (struct raw_target){
-		.id = paint.target,
-		.first_member =
-			(uint32_t)(raw->members.count - (size_t)(end - face)),
-		.member_end = (uint32_t)raw->members.count,
-	};
 	return TCS_OK;
 }
 

@@ -38,6 +38,14 @@ compare_paints(const void *a, const void *b)
 	return one->paint < two->paint ? -1 : one->paint > two->paint;
 }
 
+/* A target may be large, and be named again and again. */
+static bool
+too_many(const struct builder *builder, const struct raw_object *raw)
+{
+	return builder->paints.count / MOST_THEMES >
+		raw->polygons.count + raw->paints.count;
+}
+
 enum tcs_status
 paints_collect(struct builder *builder, const struct raw_object *raw,
 	struct report *report, struct tcs_fault *fault)
@@ -51,8 +59,12 @@ paints_collect(struct builder *builder, const struct raw_object *raw,
 		const struct raw_target *target =
 			index_find(&builder->links.targets, raw, id);
 
-		if (target)
+		if (target && !too_many(builder, raw))
 			status = paint_target(builder, raw, target, i, fault);
+		else if (target && report)
+			status = report_item(report, REPORT_SKIPPED, "paint",
+				"the feature is painted over 64 times", id,
+				TCS_NOWHERE, fault);
 		else if (report)
 			status = report_item(report, REPORT_SKIPPED, "paint",
 				"its target is not in the feature", id,
@@ -115,6 +127,29 @@ texcoords_of_list(struct builder *builder, const struct raw_object *raw,
 		const char *problem =
 			texring_read(builder, raw, texring_find(raw, paint, id),
 				builder->ring_sizes.at[i], out);
+
+		if (problem)
+			return problem;
+		out += builder->ring_sizes.at[i];
+	}
+	return NULL;
+}
+
+static const char *
+texcoords_of_order(struct builder *builder, const struct raw_object *raw,
+	const struct raw_paint *paint, uint32_t raw_polygon,
+	struct tcs_texcoord *out)
+{
+	uint32_t before = raw->polygons.at[raw_polygon].first_ring -
+		raw->polygons.at[paint->first_polygon].first_ring;
+
+	for (size_t i = 0; i < builder->ring_sizes.count; i++) {
+		uint32_t place = before + builder->ring_places.at[i];
+		const char *problem = texring_read(builder, raw,
+			place < paint->ring_count
+				? &raw->texrings.at[paint->first_ring + place]
+				: NULL,
+			builder->ring_sizes.at[i], out);
 
 		if (problem)
 			return problem;
@@ -223,10 +258,8 @@ texcoords_find(struct builder *builder, const struct raw_object *raw,
 	if (paint->mapping == MAPPING_LIST)
 		problem = texcoords_of_list(builder, raw, paint, out);
 	if (paint->mapping == MAPPING_ORDER)
-		problem = texring_read(builder, raw,
-			&raw->texrings.at[paint->first_ring + raw_polygon -
-				paint->first_polygon],
-			builder->ring_sizes.at[0], out);
+		problem = texcoords_of_order(
+			builder, raw, paint, raw_polygon, out);
 	if (!problem)
 		texcoords_extend(builder, given, out);
 	return problem;

@@ -102,7 +102,7 @@ enum raw_mapping {
 	MAPPING_NONE, /* a material */
 	MAPPING_LIST, /* ring by ring */
 	MAPPING_MATRIX, /* worldToTexture */
-	MAPPING_ORDER, /* polygon by polygon, of one ring each */
+	MAPPING_ORDER, /* ring by ring of polygons that follow each other */
 };
 
 /* Texture coordinates of one ring, as text. */

@@ -13,7 +13,8 @@
  *     citygml_implicit.c    templates and where they are placed
  *     citygml_mesh.c        templates that are files of their own
  *     citygml_appearance.c  themes, materials and textures
- *     citygml_surface_data.c  what these are
+ *     citygml_palette_add.c  what these are
+ *     citygml_textured.c    those that stand in a surface, as was the custom
  *     citygml_mapping.c     where textures lie on surfaces
  *     citygml_georeference.c  where georeferenced ones do
  *
@@ -60,6 +61,8 @@ struct frame {
 	bool reversed; /* geometry: below orientation="-" */
 	bool interior; /* geometry: the shell or ring bounds a void or hole */
 	bool is_shell; /* geometry: holds the surfaces of a solid */
+	bool paints; /* geometry: what a TexturedSurface shows … */
+	bool back; /* … on its back */
 	uint8_t dimension; /* geometry: srsDimension in force; 0: none */
 	uint32_t attribute; /* of the object; TCS_NONE: not made yet */
 	uint32_t feature; /* the innermost feature */
@@ -366,6 +369,24 @@ enum tcs_status appearance_child(struct gml_reader *reader, struct name *name,
 	struct tcs_fault *fault) TCS_CHECKED;
 enum tcs_status appearance_end(struct gml_reader *reader, struct frame *frame,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The appearance of a TexturedSurface, on top of the stack, and an element in
+ * it: a material or a texture. */
+enum tcs_status textured_begin(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status textured_child(struct gml_reader *reader, struct name *name,
+	const struct xml_attribute *attributes, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The texture that ends is one of these: its coordinates go to the rings. */
+enum tcs_status textured_end(
+	struct gml_reader *reader, struct tcs_fault *fault) TCS_CHECKED;
+
+/* The members of the object from this one on are a target of paints, with an
+ * id that cannot be one of the document's. */
+enum tcs_status members_name(struct gml_reader *reader, uint32_t first,
+	tcs_text *id, struct tcs_fault *fault) TCS_CHECKED;
 
 /* Keep the trimmed text of the innermost element, or these bytes. */
 enum tcs_status gml_keep(struct gml_reader *reader, struct kept_text *to,

@@ -145,15 +145,17 @@ ring_read(struct builder *builder, const struct raw_object *home,
 /* ---- the polygon ---------------------------------------------------------------------- */
 
 static enum tcs_status
-ring_keep(struct builder *builder, const struct raw_ring *ring, size_t first,
-	struct tcs_fault *fault)
+ring_keep(struct builder *builder, const struct raw_ring *ring, uint32_t place,
+	size_t first, struct tcs_fault *fault)
 {
 	if (array_grow(&builder->ring_sizes, 1) ||
-		array_grow(&builder->ring_ids, 1))
+		array_grow(&builder->ring_ids, 1) ||
+		array_grow(&builder->ring_places, 1))
 		return fault_memory(fault);
 	builder->ring_sizes.at[builder->ring_sizes.count++] =
 		(uint32_t)(builder->points.count - first);
 	builder->ring_ids.at[builder->ring_ids.count++] = ring->id;
+	builder->ring_places.at[builder->ring_places.count++] = place;
 	return TCS_OK;
 }
 
@@ -189,7 +191,7 @@ rings_take(struct builder *builder, const struct raw_object *home,
 				"left out: fewer than three points", id,
 				polygon->line, fault);
 		} else {
-			status = ring_keep(builder, ring, first, fault);
+			status = ring_keep(builder, ring, i, first, fault);
 		}
 		if (status)
 			return status;
@@ -207,6 +209,7 @@ rings_read(struct builder *builder, const struct raw_object *home,
 	builder->points.count = 0;
 	builder->ring_sizes.count = 0;
 	builder->ring_ids.count = 0;
+	builder->ring_places.count = 0;
 	*problem = NULL;
 	status = rings_take(
 		builder, home, polygon, false, problem, report, fault);
