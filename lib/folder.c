@@ -32,8 +32,8 @@ climbs(const char *name)
 	return false;
 }
 
-static const char *
-refuse_name(const char *name)
+const char *
+folder_refuses(const char *name)
 {
 	if (!*name)
 		return "no name";
@@ -192,7 +192,7 @@ open_name(const struct folder *folder, char *name,
 	const char *reason;
 
 	turn_slashes(name);
-	reason = refuse_name(name);
+	reason = folder_refuses(name);
 	return reason ? reason : walk(folder->file, name, limit, out);
 }
 

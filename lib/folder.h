@@ -43,6 +43,9 @@ enum tcs_status folder_open_file(struct folder *folder, const char *uri,
 	const struct folder_limit *limit, struct folder_file *out,
 	const char **reason, struct tcs_fault *fault) TCS_CHECKED;
 
+/* Why a name is never followed, as static text; NULL: it may be. */
+const char *folder_refuses(const char *name);
+
 void folder_close(struct folder *folder);
 
 #endif

@@ -173,6 +173,7 @@ struct compose_plan {
 	struct hash_key key; /* of ids */
 	struct gml_palette *palette;
 	bool from_3; /* the source is CityGML 3.0 */
+	bool writes_images; /* that the stream carries, beside the document */
 	bool north_first; /* the source's axis order */
 	bool geographic; /* x and y are degrees */
 	double metres, metres_up; /* per unit of x and y, of z */

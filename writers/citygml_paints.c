@@ -386,7 +386,7 @@ write_texture(
 		compose_lose(composer, "type of a texture",
 			"CityGML knows specific, typical and unknown",
 			image.type);
-	if (image.is.byte_count)
+	if (image.is.byte_count && !composer->plan->writes_images)
 		compose_lose(composer, "image",
 			"its bytes are in the stream: only its name is written",
 			image.uri);

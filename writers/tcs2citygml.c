@@ -3,6 +3,7 @@
 
 #include "citygml_document.h"
 #include "crew.h"
+#include "image_files.h"
 #include "stage.h"
 #include "tally_report.h"
 #include "tcs.h"
@@ -28,7 +29,9 @@ struct run {
 	struct tcs_record head_record;
 	struct tcs_head head;
 	struct gml_palette palette;
-	struct tcs_palette more; /* a palette record decoded */
+	struct tcs_palette more; /* a palette record decoded, by who reads … */
+	struct tcs_palette shown; /* … and by who writes */
+	struct image_files images;
 	struct compose_plan plan;
 	struct document document;
 };
@@ -82,6 +85,17 @@ compose_item(void *context, void *slot, void *worker, struct tcs_fault *fault)
 }
 
 static enum tcs_status
+write_images(struct run *run, const struct tcs_record *record,
+	struct tcs_fault *fault)
+{
+	enum tcs_status status = palette_decode(&run->shown, record, fault);
+
+	return status ? status
+		      : image_files_add(&run->images, &run->shown,
+				&run->stage->report, fault);
+}
+
+static enum tcs_status
 write_item(void *context, void *slot, struct tcs_fault *fault)
 {
 	struct run *run = context;
@@ -93,6 +107,7 @@ write_item(void *context, void *slot, struct tcs_fault *fault)
 		return document_add(
 			&run->document, &item->composed, &item->record, fault);
 	case TCS_PALETTE:
+		return write_images(run, &item->record, fault);
 	case TCS_END:
 		return TCS_OK;
 	default:
@@ -133,6 +148,7 @@ read_head(struct run *run, struct tcs_fault *fault)
 		return status;
 	run->plan.key = hash_key_new();
 	run->plan.palette = &run->palette;
+	run->plan.writes_images = run->images.document != NULL;
 	crs = &run->head.crs.at[0];
 	run->plan.from_3 = run->head.sources.count == 1 &&
 		!strcmp(head_text(&run->head, run->head.sources.at[0].format),
@@ -203,6 +219,9 @@ count(struct run *run, struct tcs_fault *fault)
 	if (!status)
 		status = report_add(
 			report, "polygons written", document->polygons, fault);
+	if (!status && run->images.written.count)
+		status = report_add(report, "images written",
+			run->images.written.count, fault);
 	return status ? status
 		      : report_add(report, "bytes", document->bytes, fault);
 }
@@ -216,6 +235,8 @@ close_run(struct run *run)
 	record_release(&run->head_record);
 	gml_palette_release(&run->palette);
 	palette_release(&run->more);
+	palette_release(&run->shown);
+	image_files_release(&run->images);
 	pthread_rwlock_destroy(&run->palette.lock);
 	reader_close(&run->reader);
 }
@@ -229,6 +250,7 @@ convert(void *context, struct stage *stage, struct tcs_fault *fault)
 
 	if (pthread_rwlock_init(&run.palette.lock, NULL))
 		return fault_memory(fault);
+	image_files_init(&run.images, stage->command->output);
 	status = reader_open(
 		&run.reader, stage->command->input, options->max_record, fault);
 	if (!status)
@@ -237,6 +259,8 @@ convert(void *context, struct stage *stage, struct tcs_fault *fault)
 		status = write_document(&run, fault);
 	if (!status)
 		status = count(&run, fault);
+	if (status)
+		image_files_undo(&run.images);
 	close_run(&run);
 	return status;
 }
