@@ -426,9 +426,9 @@ is_within(const struct matching *matching, uint32_t root,
 				&after->set.tree, shell->root, point));
 }
 
-/* Where its first corner went, if the surfaces of its own features pass by the
-   corners and centres of all its triangles, or a closed component of them
-   encloses those that they do not. */
+/* What its first corner went to, if the surfaces of its own features pass by
+   the corners and centres of all its triangles, or a closed component of them
+   encloses those that they do not: a piece of it. */
 static uint32_t
 find_cover(const struct matching *matching, uint32_t number)
 {
@@ -455,42 +455,94 @@ find_cover(const struct matching *matching, uint32_t number)
 	return shell.piece;
 }
 
-/* Images by counting: first[i] is where those of component i begin. */
-static enum tcs_status
-list_images(struct matching *matching, struct tcs_fault *fault)
+/* The pieces of the component that a piece is of. */
+static size_t
+pieces_beside(const struct compare_match *match, uint32_t piece, size_t *first)
+{
+	uint32_t component = match->pieces.at[piece].component;
+	size_t end = piece;
+
+	*first = piece;
+	while (*first > 0 &&
+		match->pieces.at[*first - 1].component == component)
+		--*first;
+	while (end < match->pieces.count &&
+		match->pieces.at[end].component == component)
+		end++;
+	return end - *first;
+}
+
+/* Fill first[i + 2] with how many images component i has; covers[i] is what
+   has swallowed it. */
+static void
+count_images(const struct matching *matching, uint32_t *covers, uint32_t *first)
 {
 	struct compare_match *match = matching->match;
-	size_t components = matching->before->set.components.count;
-	uint32_t *first;
+	size_t components = matching->before->set.components.count, beside;
 
-	if (array_grow(&match->first, components + 2) ||
-		array_grow(&match->swallowed, components) ||
-		array_grow(&match->images, match->pieces.count + components))
-		return fault_memory(fault);
-	first = match->first.at;
-	for (size_t i = 0; i < components + 2; i++)
-		first[i] = 0;
 	for (size_t i = 0; i < match->pieces.count; i++)
 		if (match->pieces.at[i].parent != TCS_NONE)
 			first[match->pieces.at[i].parent + 2]++;
 	for (uint32_t i = 0; i < components; i++) {
-		uint32_t cover =
-			first[i + 2] ? TCS_NONE : find_cover(matching, i);
-
-		match->swallowed.at[i] = cover != TCS_NONE;
-		first[i + 2] += first[i + 1] + match->swallowed.at[i];
+		covers[i] = first[i + 2] ? TCS_NONE : find_cover(matching, i);
+		match->swallowed.at[i] = covers[i] != TCS_NONE;
 		if (match->swallowed.at[i])
-			match->images.at[first[i + 1]] = cover;
+			first[i + 2] = (uint32_t)pieces_beside(
+				match, covers[i], &beside);
+	}
+}
+
+/* Where first[i + 1] is where those of component i begin, and then is where they
+   end. */
+static void
+place_images(
+	struct compare_match *match, const uint32_t *covers, size_t components)
+{
+	uint32_t *first = match->first.at;
+
+	for (size_t i = 0; i < components; i++) {
+		size_t piece = 0,
+		       count = match->swallowed.at[i]
+			? pieces_beside(match, covers[i], &piece)
+			: 0;
+
+		for (; count > 0; count--, piece++)
+			match->images.at[first[i + 1]++] = (uint32_t)piece;
 	}
 	for (uint32_t i = 0; i < match->pieces.count; i++)
 		if (match->pieces.at[i].parent != TCS_NONE)
 			match->images
 				.at[first[match->pieces.at[i].parent + 1]++] =
 				i;
-	for (size_t i = 0; i < components; i++)
-		first[i + 1] += match->swallowed.at[i];
+}
+
+/* Images by counting: first[i] is where those of component i begin. */
+static enum tcs_status
+list_images(struct matching *matching, struct tcs_fault *fault)
+{
+	struct compare_match *match = matching->match;
+	size_t components = matching->before->set.components.count;
+	uint32_t *covers = malloc((components + 1) * sizeof *covers), *first;
+
+	if (!covers || array_grow(&match->first, components + 2) ||
+		array_grow(&match->swallowed, components)) {
+		free(covers);
+		return fault_memory(fault);
+	}
+	first = match->first.at;
+	for (size_t i = 0; i < components + 2; i++)
+		first[i] = 0;
+	count_images(matching, covers, first);
+	for (size_t i = 1; i < components + 2; i++)
+		first[i] += first[i - 1];
 	match->first.count = components + 1;
-	match->images.count = first[components];
+	if (array_grow(&match->images, first[components + 1])) {
+		free(covers);
+		return fault_memory(fault);
+	}
+	match->images.count = first[components + 1];
+	place_images(match, covers, components);
+	free(covers);
 	return TCS_OK;
 }
 

@@ -35,8 +35,8 @@ struct match_piece {
  * tenth of its area. One before that nothing comes from was swallowed if the
  * surfaces of its own features after pass within eps of the corners and centres
  * of all its triangles, or the closed component of them that is nearest to the
- * first corner encloses those that they do not: its image is the piece that its
- * first corner went to.
+ * first corner encloses those that they do not: its images are the
+ * pieces of the component that its first corner went to.
  *
  * All zero is empty; reused from object to object.
  */

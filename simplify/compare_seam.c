@@ -59,6 +59,33 @@ image_encloses(
 	return false;
 }
 
+/* Whether both sides became parts of one component, and it is there still. */
+static bool
+is_in_one(const struct seam *seam, struct tcs_point point)
+{
+	const struct component_set *set = &seam->after->set;
+	const struct match_piece *pieces = seam->match->pieces.at;
+	double reach = 2 * seam->eps;
+
+	for (size_t i = 0; i < seam->a.count; i++)
+		for (size_t k = 0; k < seam->b.count; k++) {
+			uint32_t number = pieces[seam->a.at[i]].component;
+			const struct component *own =
+				&set->components.at[number];
+
+			if (number != pieces[seam->b.at[k]].component)
+				continue;
+			if (isfinite(triangle_tree_nearest(
+				    &set->tree, own->root, point, reach)
+					     .distance) ||
+				(own->closed &&
+					triangle_tree_encloses(
+						&set->tree, own->root, point)))
+				return true;
+		}
+	return false;
+}
+
 /* From where one side went, how far the other is now. */
 static bool
 is_apart(const struct seam *seam, struct images from, struct images to,
@@ -75,7 +102,8 @@ add_point(struct seam *seam, struct tcs_point point)
 {
 	seam->points++;
 	seam->gaping += is_apart(seam, seam->a, seam->b, point) &&
-		is_apart(seam, seam->b, seam->a, point);
+		is_apart(seam, seam->b, seam->a, point) &&
+		!is_in_one(seam, point);
 }
 
 static void

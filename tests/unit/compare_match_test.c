@@ -79,6 +79,7 @@ struct outcome {
 	double before, after; /* components */
 	double lost, crushed, hidden, kept, separated, half_open, contacts_lost;
 	double gap;
+	double images; /* of the component before that came last */
 };
 
 static struct outcome
@@ -103,7 +104,11 @@ compare(struct tcs_object *a, struct tcs_object *b)
 		at[COMPARE_COMPONENTS_CRUSHED], at[COMPARE_COMPONENTS_HIDDEN],
 		at[COMPARE_CONTACTS_KEPT], at[COMPARE_CONTACTS_SEPARATED],
 		at[COMPARE_CONTACTS_HALF_OPEN], at[COMPARE_CONTACTS_LOST],
-		at[COMPARE_GAP_MAX]};
+		at[COMPARE_GAP_MAX], 0};
+	if (out.before > 0)
+		out.images = (double)match_images(
+			&comparer.match, (uint32_t)out.before - 1)
+				     .count;
 	comparer_release(&comparer);
 	compare_result_release(&result);
 	object_clear(a);
@@ -145,6 +150,46 @@ parts_of_one_feature_that_become_one_are_there(void)
 	CHECK(is(out.before, 2) && is(out.after, 1));
 	CHECK(is(out.lost, 0) && is(out.crushed, 0) && is(out.hidden, 0));
 	CHECK(is(out.kept, 1) && is(out.contacts_lost, 0));
+}
+
+/* Points of their seam are deep in it, far from the faces of either. */
+static void
+what_becomes_one_solid_does_not_gape(void)
+{
+	struct tcs_object a = {0}, b = {0};
+	struct outcome out;
+
+	begin(&a);
+	put_box(&a, 1, (double[]){0, 0, 0}, (double[]){1.9, 10, 10});
+	put_box(&a, 1, (double[]){1.905, 0.05, 0.05},
+		(double[]){2, 9.95, 9.95});
+	begin(&b);
+	put_box(&b, 1, (double[]){0, 0, 0}, (double[]){2, 10, 10});
+	out = compare(&a, &b);
+	CHECK(is(out.before, 2) && is(out.lost, 0));
+	CHECK(is(out.kept, 1) && is(out.half_open, 0));
+	object_release(&a);
+	object_release(&b);
+}
+
+/* A bar between two leaves is in what both became, not in one of its pieces. */
+static void
+what_is_swallowed_is_in_all_of_it(void)
+{
+	struct tcs_object a = {0}, b = {0};
+	struct outcome out;
+
+	begin(&a);
+	put_box(&a, 1, (double[]){0, 0, 0}, (double[]){1, 1, 1});
+	put_box(&a, 1, (double[]){1.015, 0, 0}, (double[]){2, 1, 1});
+	put_box(&a, 1, (double[]){1.005, 0.1, 0.1}, (double[]){1.01, 0.9, 0.9});
+	begin(&b);
+	put_box(&b, 1, (double[]){0, 0, 0}, (double[]){2, 1, 1});
+	out = compare(&a, &b);
+	CHECK(is(out.before, 3) && is(out.lost, 0));
+	CHECK(is(out.images, 2));
+	object_release(&a);
+	object_release(&b);
 }
 
 /* Two leaves become a panel, with the pane between them or behind. */
@@ -445,6 +490,8 @@ main(void)
 {
 	static const struct check_test tests[] = {
 		CHECK_TEST(parts_of_one_feature_that_become_one_are_there),
+		CHECK_TEST(what_becomes_one_solid_does_not_gape),
+		CHECK_TEST(what_is_swallowed_is_in_all_of_it),
 		CHECK_TEST(a_part_inside_a_solid_of_its_feature_is_there),
 		CHECK_TEST(a_part_whose_middle_nothing_passes_is_lost),
 		CHECK_TEST(a_part_of_one_feature_that_is_gone_is_lost),
