@@ -137,6 +137,8 @@ struct half_edges {
 	void begin_at(Face face, Half half);
 	void list_refilling(refilling &fill, const std::uint32_t *faces,
 		std::size_t face_count) const;
+	void give_halves(refilling &fill, const std::uint32_t *corners,
+		std::size_t count);
 	void link_refilling(const refilling &fill, const std::uint32_t *numbers,
 		const std::uint32_t *corners, std::size_t count);
 	bool drops_cleanly(Half half) const;
@@ -442,9 +444,11 @@ half_edges::list_refilling(refilling &fill, const std::uint32_t *faces,
 	}
 }
 
-/* Give every edge of the triangles that is not on the rim a free pair. */
-static void
-give_halves(refilling &fill, const std::uint32_t *corners, std::size_t count)
+/* Give every edge of the triangles that is not on the rim a free pair, or a new
+   one. */
+void
+half_edges::give_halves(
+	refilling &fill, const std::uint32_t *corners, std::size_t count)
 {
 	std::size_t used = 0;
 
@@ -453,7 +457,9 @@ give_halves(refilling &fill, const std::uint32_t *corners, std::size_t count)
 
 		if (fill.halves.count(ends))
 			continue;
-		Half half = fill.free[used++];
+		Vertex to = handle<Vertex>(ends.second);
+		Half half = used < fill.free.size() ? fill.free[used++]
+						    : kernel.new_edge(to, to);
 
 		fill.halves[ends] = half;
 		fill.halves[{ends.second, ends.first}] =
@@ -499,7 +505,7 @@ half_edges_refill(struct half_edges *mesh, const uint32_t *faces,
 
 	try {
 		mesh->list_refilling(fill, faces, face_count);
-		give_halves(fill, corners, triangle_count);
+		mesh->give_halves(fill, corners, triangle_count);
 	} catch (const std::exception &) {
 		return fault_memory(fault);
 	}

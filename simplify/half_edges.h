@@ -90,8 +90,7 @@ void half_edges_across(const struct half_edges *mesh, uint32_t face,
 	uint32_t faces[3]) HALF_EDGES_NOEXCEPT;
 
 /*
- * Put other triangles, not more than there are, in the place of some faces. The
- * edges at which the faces meet others, their rim, form loops that pass no
+ * Put other triangles in the place of some faces. The edges at which the faces meet others, their rim, form loops that pass no
  * vertex twice, and nothing is open there. The triangles, of three vertices
  * each that are on the rim, only of the faces, or gone, have every edge of the
  * rim once, the same way round, and every other of their edges twice, once each

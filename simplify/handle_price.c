@@ -345,6 +345,57 @@ count_saved(
 	return status;
 }
 
+/* ---- what comes forward --------------------------------------------------- */
+
+/* Plan for what stands in the hole, but for what will be one with its host. */
+static enum tcs_status
+plan_panels(struct handles *handles, uint32_t host, struct tcs_fault *fault)
+{
+	handles->left.count = 0;
+	if (array_grow(&handles->left, handles->hidden.count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < handles->hidden.count; i++)
+		if (!handle_becomes_one(handles, handles->hidden.at[i], host))
+			handles->left.at[handles->left.count++] =
+				handles->hidden.at[i];
+	return panels_plan(&handles->panels, handles->work, handles->removals,
+		&handles->rims, handles->left.at, handles->left.count, fault);
+}
+
+/* What being off costs, and the faces that there will be more. */
+static double
+panels_cost(const struct handles *handles, double *faces)
+{
+	double cost = 0;
+
+	*faces = 0;
+	for (size_t i = 0; i < handles->panels.at.count; i++) {
+		const struct panel *panel = &handles->panels.at.at[i];
+
+		cost += panel->cost;
+		*faces += panel->faces;
+	}
+	return cost;
+}
+
+/* How much of a contact is lost by what is seen no more. */
+static double
+count_hidden(const struct handles *handles)
+{
+	const struct panels *panels = &handles->panels;
+	double hidden = 0;
+
+	for (size_t i = 0; i < panels->at.count; i++)
+		for (uint32_t k = 0;
+			!panels->at.at[i].fine && k < panels->at.at[i].count;
+			k++)
+			hidden += handles->removals->visible
+					  .at[panels->parts.at[panels->at.at[i]
+								       .first +
+						  k]] > 0;
+	return hidden;
+}
+
 /* ---- the price ----------------------------------------------------------- */
 
 /* The shape, square metres times area. */
@@ -357,7 +408,7 @@ shape_cost(
 	double seen = part->area > 0
 		? removals->visible.at[handle->part] / part->area
 		: 0;
-	double far = off / removals->far, area = 0;
+	double area = 0;
 
 	for (size_t i = 0; i < handles->rims.beyond.count; i++) {
 		struct triangle_shape cap = handle_cap_shape(handles, i);
@@ -370,31 +421,29 @@ shape_cost(
 
 		area += triangle_area(&shape);
 	}
-	return fmax(seen, HIDDEN_SHARE) * area * off * off *
-		(1 + far * far * far * far);
+	return fmax(seen, HIDDEN_SHARE) * area * removals_steep(removals, off);
 }
 
 /* What breaks, vanishes, is crossed or is seen no more, in contacts; what is
-   hidden is listed. */
+   hidden is listed, and what comes forward planned. */
 static enum tcs_status
 count_harm(struct handles *handles, const struct handle *handle, bool adds,
 	double off, double *harm, struct tcs_fault *fault)
 {
-	const struct removals *removals = handles->removals;
-	double share = fmin(1, off / removals->far);
-	enum tcs_status status = TCS_OK;
+	double share = fmin(1, off / handles->removals->far);
+	enum tcs_status status;
 
 	*harm = count_vanishing(handles) + handles->work->broken;
-	if (adds) {
-		status = list_hidden(handles, handle, fault);
-		for (size_t i = 0; !status && i < handles->hidden.count; i++)
-			if (removals->visible.at[handles->hidden.at[i]] > 0 &&
-				!handle_becomes_one(handles,
-					handles->hidden.at[i], handle->part))
-				*harm += VIEW_SHARE * share * share;
-	} else {
+	handles->panels.at.count = 0;
+	if (!adds) {
 		*harm += count_broken(handles);
+		return TCS_OK;
 	}
+	status = list_hidden(handles, handle, fault);
+	if (!status)
+		status = plan_panels(handles, handle->part, fault);
+	if (!status)
+		*harm += VIEW_SHARE * share * share * count_hidden(handles);
 	return status;
 }
 
@@ -403,7 +452,7 @@ handle_price(struct handles *handles, uint32_t number, bool adds, double *price,
 	struct tcs_fault *fault)
 {
 	const struct handle *handle = &handles->at.at[number];
-	double off, harm = 0, saved = 0;
+	double off, harm = 0, saved = 0, panels, added;
 	enum tcs_status status = caps_off(handles, handle->part, &off, fault);
 
 	*price = INFINITY;
@@ -418,9 +467,11 @@ handle_price(struct handles *handles, uint32_t number, bool adds, double *price,
 			    handles, handles->hidden.at[i], handle->part))
 			saved += removals_faces(
 				handles->removals, handles->hidden.at[i]);
+	panels = panels_cost(handles, &added);
+	saved -= added;
 	if (status || saved < 2)
 		return status;
-	*price = (shape_cost(handles, handle, off) +
+	*price = (shape_cost(handles, handle, off) + panels +
 			 harm * handles->removals->contact_cost) /
 		(0.5 * saved);
 	return TCS_OK;

@@ -73,16 +73,18 @@ sort_faces(struct handles *handles, struct tcs_fault *fault)
 }
 
 enum tcs_status
-handles_find(struct handles *handles, struct collapses *work,
-	struct removals *removals, struct tcs_fault *fault)
+handles_find(struct handles *handles, struct component_set *set,
+	struct collapses *work, struct removals *removals,
+	struct tcs_fault *fault)
 {
 	struct inner_outlines outlines = {0};
 	enum tcs_status status =
 		inner_outlines_find(&outlines, work->set, work->sheets, fault);
 
+	handles->set = set;
 	handles->work = work;
 	handles->removals = removals;
-	handles->closed = 0;
+	handles->closed = handles->panels.made = 0;
 	if (!status)
 		status = number_handles(handles, &outlines, fault);
 	inner_outlines_release(&outlines);
@@ -278,7 +280,8 @@ become_one(struct handles *handles, uint32_t number, struct tcs_fault *fault)
 	return cover_watch_put(&handles->work->covers, own->component, fault);
 }
 
-/* What stood in a hole is enclosed now, and not seen. */
+/* What stood in a hole is enclosed now, and has become one with what closes it,
+   comes forward, or is not seen. */
 static enum tcs_status
 enclose(struct handles *handles, uint32_t host, struct tcs_fault *fault)
 {
@@ -292,15 +295,16 @@ enclose(struct handles *handles, uint32_t host, struct tcs_fault *fault)
 	for (size_t i = 0; !status && i < handles->hidden.count; i++) {
 		uint32_t part = handles->hidden.at[i];
 
-		status = handle_becomes_one(handles, part, host)
-			? become_one(handles, part, fault)
-			: removals_hide(removals, part, fault);
+		if (handle_becomes_one(handles, part, host))
+			status = become_one(handles, part, fault);
 	}
-	return status || !covers
-		? status
-		: cover_watch_close(handles->work,
-			  removals->parts.faces.at + own->first, own->count,
-			  fault);
+	if (!status && covers)
+		status = cover_watch_close(handles->work,
+			removals->parts.faces.at + own->first, own->count,
+			fault);
+	return status ? status
+		      : panels_build(&handles->panels, handles->set,
+				handles->work, removals, fault);
 }
 
 static enum tcs_status
@@ -383,5 +387,7 @@ handles_release(struct handles *handles)
 	node_queue_release(&handles->queue);
 	rims_release(&handles->rims);
 	array_release(&handles->hidden);
+	array_release(&handles->left);
+	panels_release(&handles->panels);
 	array_release(&handles->held);
 }

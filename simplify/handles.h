@@ -6,8 +6,9 @@
  * close the part again, and what is left of the rims collapses for nothing.
  *
  * A handle costs what its faces and those over its rims are off, times their
- * area; whatever stood in a hole does not come apart from what encloses it now,
- * but if it is no longer seen, that costs a share of what a contact does.
+ * area; whatever stood in a hole does not come apart from what encloses it now.
+ * It comes forward and is seen as before (panels.h); what cannot, costs a share
+ * of what a contact does.
  *
  * source: J. El-Sana, A. Varshney, Topology simplification for polygonal
  * virtual environments, 1998, for the operation; finding it by inner outlines
@@ -16,8 +17,7 @@
 #ifndef TESSERA_HANDLES_H
 #define TESSERA_HANDLES_H
 
-#include "removals.h"
-#include "rims.h"
+#include "panels.h"
 
 struct handle {
 	uint32_t first, count; /* of `faces`: as the mesh came */
@@ -31,19 +31,23 @@ struct handles {
 	TCS_ARRAY(uint32_t) owners; /* per face: its handle; TCS_NONE */
 	struct node_queue queue; /* of handles, by their price */
 	struct rims rims; /* scratch */
+	struct component_set *set; /* borrowed: boxes grow */
 	struct collapses *work; /* borrowed */
 	struct removals *removals; /* borrowed */
 	TCS_ARRAY(uint32_t) hidden; /* scratch: parts */
+	TCS_ARRAY(uint32_t) left; /* scratch: those that stay parts */
+	struct panels panels; /* scratch */
 	TCS_ARRAY(uint32_t) held; /* scratch: contacts, one per point held */
 	size_t closed; /* since it was set to 0 */
 };
 
 /*
  * List the handles of a mesh nothing of which is collapsed, and whose removals
- * have begun. Takes n log n steps. Fails with TCS_NO_MEMORY.
+ * have begun. The set is that of `work`. Takes n log n steps. Fails with TCS_NO_MEMORY.
  */
-enum tcs_status handles_find(struct handles *handles, struct collapses *work,
-	struct removals *removals, struct tcs_fault *fault) TCS_CHECKED;
+enum tcs_status handles_find(struct handles *handles, struct component_set *set,
+	struct collapses *work, struct removals *removals,
+	struct tcs_fault *fault) TCS_CHECKED;
 
 /* What the next one costs per collapse that it saves, at least; INFINITY when
    none is left. */

@@ -90,7 +90,10 @@ level_report_work(struct object_simplifier *simplifier,
 	if (!status)
 		status = report_add(report, "holes closed",
 			simplifier->handles.closed, fault);
-	simplifier->handles.closed = 0;
+	if (!status)
+		status = report_add(report, "panels made",
+			simplifier->handles.panels.made, fault);
+	simplifier->handles.closed = simplifier->handles.panels.made = 0;
 	return status ? status
 		      : list_merged(&simplifier->merges, in, report, fault);
 }

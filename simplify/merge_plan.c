@@ -27,17 +27,21 @@ sort_parts(struct merge_plan *plan)
 	plan->parts.count = kept;
 }
 
-/* Those that the parts of the group are in by now. */
+/* Those that the parts of the group are in by now; one that was drawn out is not
+   where it was. */
 static enum tcs_status
 list_parts(struct merge_plan *plan, const struct parts *parts,
-	const uint32_t *group, size_t count, struct tcs_fault *fault)
+	const uint32_t *group, size_t count, bool *fine,
+	struct tcs_fault *fault)
 {
+	*fine = true;
 	plan->parts.count = 0;
 	if (array_grow(&plan->parts, count))
 		return fault_memory(fault);
 	for (size_t i = 0; i < count; i++) {
 		uint32_t part = parts_host(parts, group[i]);
 
+		*fine = *fine && !parts->at.at[part].drawn_out;
 		if (!parts->at.at[part].gone)
 			plan->parts.at[plan->parts.count++] = part;
 	}
@@ -375,7 +379,7 @@ add_swallowed(struct merge_plan *plan, const struct collapses *work,
 			uint32_t other = parts->links.at[own->first_link + k];
 			const struct part *there = &parts->at.at[other];
 
-			if (there->gone ||
+			if (there->gone || there->drawn_out ||
 				groups->families.at[other] != family ||
 				number_is_among(plan->parts.at, count, other) ||
 				!lies_within(plan, work, removals, there))
@@ -438,9 +442,9 @@ merge_plan_make(struct merge_plan *plan, struct collapses *work,
 	const struct merge_group *group = &groups->at.at[number];
 	const struct parts *parts = &removals->parts;
 	enum tcs_status status = list_parts(plan, parts,
-		groups->parts.at + group->first, group->count, fault);
+		groups->parts.at + group->first, group->count, fine, fault);
 
-	*fine = plan->parts.count > 1;
+	*fine = *fine && plan->parts.count > 1;
 	if (!status && *fine)
 		status = know_prism(plan, work, removals, known, fault);
 	*fine = *fine && plan->prism.sides > 0;
@@ -449,6 +453,65 @@ merge_plan_make(struct merge_plan *plan, struct collapses *work,
 	if (!status && *fine)
 		status = find_host(plan, work, removals, known, fine, fault);
 	if (status || !*fine)
+		return status;
+	add_up(plan, removals);
+	plan->host = parts->numbers.at[plan->slots.at[0]];
+	fill_in(plan, work, parts);
+	return TCS_OK;
+}
+
+/* ---- a panel ------------------------------------------------------------- */
+
+/* Where one of the points is, and is not, along the axis. */
+static enum tcs_status
+reach_out(struct merge_plan *plan, struct tcs_point axis, double low,
+	double high, struct tcs_fault *fault)
+{
+	struct tcs_point from = plan->points.at[0];
+	double height = vector_dot(from, axis);
+
+	if (array_grow(&plan->points, 2))
+		return fault_memory(fault);
+	plan->points.at[plan->points.count++] =
+		vector_along(from, axis, low - height);
+	plan->points.at[plan->points.count++] =
+		vector_along(from, axis, high - height);
+	return TCS_OK;
+}
+
+enum tcs_status
+merge_plan_panel(struct merge_plan *plan, struct collapses *work,
+	const struct removals *removals, const uint32_t *numbers, size_t count,
+	struct tcs_point axis, double low, double high, bool *fine,
+	struct tcs_fault *fault)
+{
+	const struct parts *parts = &removals->parts;
+	struct face_directions directions = {0};
+	enum tcs_status status =
+		list_parts(plan, parts, numbers, count, fine, fault);
+	bool found = false;
+	unsigned sides;
+
+	*fine = *fine && plan->parts.count > 0;
+	if (!status && *fine)
+		status = list_faces(plan, work, parts, fine, fault);
+	*fine = *fine && plan->faces.count > 0;
+	if (status || !*fine)
+		return status;
+	status = list_points(plan, work, parts, &directions, fault);
+	if (!status)
+		status = reach_out(plan, axis, low, high, fault);
+	if (status)
+		return status;
+	choose_component(plan, work);
+	status = list_vertices(plan, work, parts, fault);
+	sides = most_sides(plan);
+	if (!status && sides > 0)
+		status = prism_around(&plan->prism, &plan->outline,
+			plan->points.at, plan->points.count, axis, sides,
+			&found, fault);
+	*fine = found;
+	if (status || !found)
 		return status;
 	add_up(plan, removals);
 	plan->host = parts->numbers.at[plan->slots.at[0]];

@@ -50,6 +50,18 @@ enum tcs_status merge_plan_make(struct merge_plan *plan, struct collapses *work,
 	uint32_t group, struct merge_known *known, bool *fine,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/*
+ * Plan for parts that are listed, with the axis along which the prism reaches
+ * from `low` to `high`, which is all that they reach and more. There may be more
+ * faces then than before. *fine is false if a part was drawn out before, some
+ * face is open, or there is no prism or no host. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status merge_plan_panel(struct merge_plan *plan,
+	struct collapses *work, const struct removals *removals,
+	const uint32_t *numbers, size_t count, struct tcs_point axis,
+	double low, double high, bool *fine,
+	struct tcs_fault *fault) TCS_CHECKED;
+
 struct refill merge_plan_refill(const struct merge_plan *plan);
 
 void merge_plan_release(struct merge_plan *plan);

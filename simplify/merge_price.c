@@ -50,14 +50,6 @@ sample_of(const struct triangle_shape *shape, unsigned fine, unsigned number)
 		vector_difference(shape->corner[2], shape->corner[0]), v);
 }
 
-static double
-steep(const struct removals *removals, double off)
-{
-	double far = off / removals->far;
-
-	return off * off * (1 + far * far * far * far);
-}
-
 /* From what the parts came with, without one of them. */
 static enum tcs_status
 distance_to_parts(const struct merge_plan *plan, struct removals *removals,
@@ -106,7 +98,8 @@ prism_off(const struct merge_plan *plan, struct removals *removals, double *sum,
 			status = distance_to_parts(plan, removals, TCS_NONE,
 				sample_of(&shape, fine, k), INFINITY, &off,
 				fault);
-			*sum += area / (fine * fine) * steep(removals, off);
+			*sum += area / (fine * fine) *
+				removals_steep(removals, off);
 		}
 	}
 	return status;
@@ -145,7 +138,8 @@ face_off(const struct merge_plan *plan, struct removals *removals,
 			continue;
 		gap->exposed += share;
 		if (off >= LEAST_OFF)
-			gap->sum += share * area * steep(removals, off);
+			gap->sum +=
+				share * area * removals_steep(removals, off);
 	}
 	return status;
 }

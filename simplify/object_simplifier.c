@@ -71,7 +71,7 @@ prepare(struct object_simplifier *simplifier,
 			&simplifier->collapses, &simplifier->contacts, reach,
 			settings->keep_interior, fault);
 	if (!status)
-		status = handles_find(&simplifier->handles,
+		status = handles_find(&simplifier->handles, set,
 			&simplifier->collapses, &simplifier->removals, fault);
 	if (!status)
 		status = merges_find(&simplifier->merges, set,

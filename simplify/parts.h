@@ -28,6 +28,7 @@ struct part {
 	uint32_t host; /* the part that it has become one with; or itself */
 	bool gone; /* taken away, or in its host */
 	bool rebuilt; /* its faces are others than those it came with */
+	bool drawn_out; /* to where it was not: see panels.h */
 };
 
 /* Who carries a part from now on. */

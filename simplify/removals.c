@@ -247,7 +247,6 @@ price_of(struct removals *removals, uint32_t number, double *price,
 	double distance = removals->distances.at[number];
 	double visible =
 		removals->visible.count ? removals->visible.at[number] : 0;
-	double far = distance / removals->far;
 	double allowed = removals->work->settings.max_error;
 	uint32_t faces = removals_faces(removals, number);
 	enum tcs_status status;
@@ -267,8 +266,8 @@ price_of(struct removals *removals, uint32_t number, double *price,
 	broken = covered + count_broken(removals, part) +
 		count_vanishing(removals, part) *
 			(visible > 0 ? SEEN_FACTOR : 1);
-	*price = (fmax(visible, HIDDEN_SHARE * part->area) * distance *
-				 distance * (1 + far * far * far * far) +
+	*price = (fmax(visible, HIDDEN_SHARE * part->area) *
+				 removals_steep(removals, distance) +
 			 broken * removals->contact_cost) /
 		(0.5 * faces);
 	return TCS_OK;

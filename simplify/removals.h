@@ -77,6 +77,16 @@ enum tcs_status removals_look(
 enum tcs_status removals_take(struct removals *removals, uint32_t part,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* What it costs per square metre to be off by so much: its square, and far more
+   beyond `far`. */
+static inline double
+removals_steep(const struct removals *removals, double off)
+{
+	double far = off / removals->far;
+
+	return off * off * (1 + far * far * far * far);
+}
+
 /* The faces that a part still has. */
 uint32_t removals_faces(const struct removals *removals, uint32_t part);
 

@@ -10,6 +10,9 @@
 /* Contacts that a component is worth not to be crushed. */
 #define CRUSH_WORTH 4
 
+/* Contacts that all of a panel is worth. */
+#define PANEL_WORTH 3
+
 /* Between the triangle and the origin. */
 static double
 volume_under(struct tcs_point a, struct tcs_point b, struct tcs_point c)
@@ -24,11 +27,15 @@ volume_watch_begin(struct volume_watch *watch, const struct component_set *set,
 	size_t count = set->components.count;
 
 	array_clear(&watch->volumes);
-	if (array_grow(&watch->volumes, count))
+	array_clear(&watch->panels);
+	if (array_grow(&watch->volumes, count) ||
+		array_grow(&watch->panels, count))
 		return fault_memory(fault);
-	for (size_t i = 0; i < count; i++)
+	for (size_t i = 0; i < count; i++) {
 		watch->volumes.at[i] = set->components.at[i].volume;
-	watch->volumes.count = count;
+		watch->panels.at[i] = 0;
+	}
+	watch->volumes.count = watch->panels.count = count;
 	watch->change = 0;
 	return TCS_OK;
 }
@@ -56,6 +63,13 @@ volume_watch_look(struct collapses *work, const struct watch_ring *ring,
 	}
 }
 
+void
+volume_watch_panel(
+	struct volume_watch *watch, uint32_t component, double volume)
+{
+	watch->panels.at[component] = volume;
+}
+
 double
 volume_watch_worth(const struct collapses *work, uint32_t node)
 {
@@ -63,7 +77,10 @@ volume_watch_worth(const struct collapses *work, uint32_t node)
 	const struct component *own = &work->set->components.at[number];
 	double least = LEAST_SHARE * fabs(own->volume);
 	double now = work->volume.volumes.at[number];
+	double panel = work->volume.panels.at[number];
 
+	if (panel > 0)
+		return PANEL_WORTH * fmax(-work->volume.change / panel, 0);
 	if (!own->closed || fabs(now) < least)
 		return 0;
 	return fabs(now + work->volume.change) < least ? CRUSH_WORTH : 0;
@@ -108,4 +125,5 @@ void
 volume_watch_release(struct volume_watch *watch)
 {
 	array_release(&watch->volumes);
+	array_release(&watch->panels);
 }

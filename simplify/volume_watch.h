@@ -3,7 +3,8 @@
  *
  * A closed component may keep its contacts and its place while it is pressed
  * flat, a post into a blade, and quadrics of small faces hardly object. Falling
- * below a tenth of its volume has a price: that of a contact.
+ * below a tenth of its volume has a price: that of some contacts. A panel that
+ * stands in a wall (panels.h) is hidden bit by bit, and pays for every bit.
  */
 #ifndef TESSERA_VOLUME_WATCH_H
 #define TESSERA_VOLUME_WATCH_H
@@ -13,6 +14,7 @@
 /* All zero is empty; reused from object to object. */
 struct volume_watch {
 	TCS_ARRAY(double) volumes; /* per component: cubic metres, as it is */
+	TCS_ARRAY(double) panels; /* per component: as one was made; or 0 */
 	double change; /* by the collapse that is looked at */
 };
 
@@ -24,6 +26,10 @@ enum tcs_status volume_watch_begin(struct volume_watch *watch,
    faces that have the node `without`, too, are of another ring. */
 void volume_watch_look(struct collapses *work, const struct watch_ring *ring,
 	struct tcs_point place);
+
+/* A component has become a panel of so many cubic metres. */
+void volume_watch_panel(
+	struct volume_watch *watch, uint32_t component, double volume);
 
 /* Contacts that it is worth not to do what was looked at. */
 double volume_watch_worth(const struct collapses *work, uint32_t node);
