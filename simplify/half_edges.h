@@ -90,14 +90,14 @@ void half_edges_across(const struct half_edges *mesh, uint32_t face,
 	uint32_t faces[3]) HALF_EDGES_NOEXCEPT;
 
 /*
- * Put other triangles in the place of some faces. The edges at which the faces meet others, their rim, form loops that pass no
- * vertex twice, and nothing is open there. The triangles, of three vertices
- * each that are on the rim, only of the faces, or gone, have every edge of the
- * rim once, the same way round, and every other of their edges twice, once each
- * way; no such edge is in the mesh beside the faces. They take the numbers
- * told, of the faces or of such as are gone; the other faces, and vertices that
- * no triangle has, are gone. Fails with TCS_NO_MEMORY; the mesh is then as it
- * was.
+ * Put other triangles in the place of some faces. The edges at which the faces
+ * meet others, their rim, form loops that pass no vertex twice, and nothing is
+ * open there. The triangles, of three vertices each that are on the rim, only of
+ * the faces, or gone, have every edge of the rim once, the same way round, and
+ * every other of their edges twice, once each way; no such edge is in the mesh
+ * beside the faces. They take the numbers told, of the faces or of such as are
+ * gone; the other faces, and vertices that no triangle has, are gone. Fails with
+ * TCS_NO_MEMORY; the mesh is then as it was.
  */
 enum tcs_status half_edges_refill(struct half_edges *mesh,
 	const uint32_t *faces, size_t face_count, const uint32_t *numbers,

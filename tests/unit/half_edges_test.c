@@ -337,6 +337,38 @@ what_is_gone_comes_back(void)
 	close_mesh(&mesh);
 }
 
+/* A tetrahedron makes way for an octahedron, for which it has too few edges. */
+static void
+there_may_be_more_than_before(void)
+{
+	static const uint32_t sides[8][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4},
+		{0, 4, 1}, {5, 2, 1}, {5, 3, 2}, {5, 4, 3}, {5, 1, 4}};
+	static const uint32_t pyramid[4][3] = {
+		{6, 8, 7}, {6, 7, 9}, {7, 8, 9}, {8, 6, 9}};
+	static const uint32_t left[] = {8, 9, 10, 11};
+	static const uint32_t numbers[] = {0, 1, 2, 3, 4, 5, 6, 7};
+	struct mesh mesh = {.vertices = 10};
+	struct counts counts;
+	uint32_t corners[24];
+	struct tcs_fault fault;
+
+	for (uint32_t i = 0; i < 8; i++)
+		add_face(&mesh, sides[i][0], sides[i][1], sides[i][2]);
+	for (uint32_t i = 0; i < 4; i++)
+		add_face(&mesh, pyramid[i][0], pyramid[i][1], pyramid[i][2]);
+	open_mesh(&mesh);
+	for (uint32_t i = 0; i < 8; i++)
+		half_edges_take_away(mesh.half_edges, i);
+	for (uint32_t i = 0; i < 24; i++)
+		corners[i] = sides[i / 3][i % 3];
+	CHECK(!half_edges_refill(
+		mesh.half_edges, left, 4, numbers, corners, 8, &fault));
+	counts = count(&mesh);
+	CHECK(counts.faces == 8 && counts.vertices == 6 && counts.edges == 12);
+	CHECK(counts.open == 0);
+	close_mesh(&mesh);
+}
+
 static const struct check_test tests[] = {
 	CHECK_TEST(a_vertex_has_its_spokes_counterclockwise),
 	CHECK_TEST(a_sheet_falls_to_one_triangle),
@@ -346,6 +378,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(two_triangles_back_to_back_stay),
 	CHECK_TEST(a_torus_cut_and_closed_is_a_sphere),
 	CHECK_TEST(what_is_gone_comes_back),
+	CHECK_TEST(there_may_be_more_than_before),
 	{0},
 };
 
