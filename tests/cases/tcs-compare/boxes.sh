@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # boxes [OFFSET] <LIST >STREAM: a building of boxes as a stream. A line of the
-# list is a box, "ID X0 Y0 Z0 X1 Y1 Z1 [TILT [flip]]": its feature and corners;
-# it rises by TILT metres along x. OFFSET is added to x and y.
+# list is a box, "ID X0 Y0 Z0 X1 Y1 Z1 [TILT [flip]]": its feature, which others
+# may have, too, and corners; it rises by TILT metres along x. OFFSET is added to
+# x and y.
 boxes() {
 	awk -v offset="${1-0}" '
 	function at(i, j, k) {
@@ -11,7 +12,8 @@ boxes() {
 	function face(a, b, c, d) {
 		polygons = polygons comma sprintf(\
 			"{\"surface\":%d,\"vertices\":[%s,%s,%s,%s]," \
-			"\"triangles\":%s}", NR, a, b, c, d, triangles)
+			"\"triangles\":%s}", feature[$1], a, b, c, d, \
+			triangles)
 		comma = ","
 	}
 	{
@@ -19,8 +21,12 @@ boxes() {
 		tilt = $8 + 0
 		triangles = $9 == "flip" ? "[[0,2,1],[0,3,2]]" \
 			: "[[0,1,2],[0,2,3]]"
-		features = features sprintf(",{\"parent\":0," \
-			"\"class\":\"BuildingInstallation\",\"id\":\"%s\"}", $1)
+		if (!($1 in feature)) {
+			feature[$1] = ++count
+			features = features sprintf(",{\"parent\":0," \
+				"\"class\":\"BuildingInstallation\"," \
+				"\"id\":\"%s\"}", $1)
+		}
 		face(at(0,0,0), at(0,1,0), at(1,1,0), at(1,0,0))
 		face(at(0,0,1), at(1,0,1), at(1,1,1), at(0,1,1))
 		face(at(0,0,0), at(1,0,0), at(1,0,1), at(0,0,1))
