@@ -44,17 +44,21 @@ is_enclosed(const struct judge *judge, const struct match_piece *inner,
 			component_set_shape(set, first).corner[0]);
 }
 
-/* 0 for what is one piece, or one inside the other. */
+/* Between all that the sides are in, or their regions of what has both; 0 for
+   what is one piece, or one inside the other. */
 static double
 gap_between(const struct judge *judge, const struct match_piece *a,
 	const struct match_piece *b, double reach)
 {
+	bool in_one = a->component == b->component;
 	double gap;
 
 	if (a == b)
 		return 0;
-	gap = triangle_tree_gap(&judge->after->set.tree, a->root, b->root,
-		reach, 2 * judge->eps)
+	gap = triangle_tree_gap(&judge->after->set.tree,
+		in_one ? a->root : component_of(judge, a)->root,
+		in_one ? b->root : component_of(judge, b)->root, reach,
+		2 * judge->eps)
 		      .distance;
 	if (gap > 2 * judge->eps &&
 		(is_enclosed(judge, a, b) || is_enclosed(judge, b, a)))

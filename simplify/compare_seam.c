@@ -10,6 +10,7 @@ struct seam {
 	const struct compare_side *before, *after;
 	const struct compare_match *match;
 	struct images a, b; /* what the two sides became */
+	bool in_one; /* both are in some component */
 	double eps;
 	unsigned long points, gaping;
 };
@@ -22,6 +23,15 @@ struct seam_side {
 	size_t step; /* one in so many is taken; 0: only counting */
 };
 
+/* All that a piece is in, unless the other side is in it as well. */
+static uint32_t
+root_of(const struct seam *seam, const struct match_piece *piece)
+{
+	return seam->in_one
+		? piece->root
+		: seam->after->set.components.at[piece->component].root;
+}
+
 static struct tree_hit
 nearest_image(const struct seam *seam, struct images images,
 	struct tcs_point from, double reach)
@@ -31,7 +41,8 @@ nearest_image(const struct seam *seam, struct images images,
 	for (size_t i = 0; i < images.count; i++) {
 		struct tree_hit hit = triangle_tree_nearest(
 			&seam->after->set.tree,
-			seam->match->pieces.at[images.at[i]].root, from, reach);
+			root_of(seam, &seam->match->pieces.at[images.at[i]]),
+			from, reach);
 
 		if (hit.distance < best.distance) {
 			best = hit;
@@ -51,15 +62,30 @@ image_encloses(
 		const struct match_piece *piece =
 			&seam->match->pieces.at[images.at[i]];
 
-		if (!piece->region &&
+		if ((!piece->region || !seam->in_one) &&
 			set->components.at[piece->component].closed &&
-			triangle_tree_encloses(&set->tree, piece->root, point))
+			triangle_tree_encloses(
+				&set->tree, root_of(seam, piece), point))
 			return true;
 	}
 	return false;
 }
 
-/* Whether both sides became parts of one component, and it is there still. */
+/* Whether some component has both sides. */
+static bool
+share_component(const struct seam *seam)
+{
+	const struct match_piece *pieces = seam->match->pieces.at;
+
+	for (size_t i = 0; i < seam->a.count; i++)
+		for (size_t k = 0; k < seam->b.count; k++)
+			if (pieces[seam->a.at[i]].component ==
+				pieces[seam->b.at[k]].component)
+				return true;
+	return false;
+}
+
+/* Whether a component that has both sides is still there. */
 static bool
 is_in_one(const struct seam *seam, struct tcs_point point)
 {
@@ -67,7 +93,7 @@ is_in_one(const struct seam *seam, struct tcs_point point)
 	const struct match_piece *pieces = seam->match->pieces.at;
 	double reach = 2 * seam->eps;
 
-	for (size_t i = 0; i < seam->a.count; i++)
+	for (size_t i = 0; seam->in_one && i < seam->a.count; i++)
 		for (size_t k = 0; k < seam->b.count; k++) {
 			uint32_t number = pieces[seam->a.at[i]].component;
 			const struct component *own =
@@ -86,12 +112,15 @@ is_in_one(const struct seam *seam, struct tcs_point point)
 	return false;
 }
 
-/* From where one side went, how far the other is now. */
+/* From where one side is nearest now, a closed one being full, how far the
+   other is. */
 static bool
 is_apart(const struct seam *seam, struct images from, struct images to,
 	struct tcs_point point)
 {
-	struct tcs_point at = nearest_image(seam, from, point, INFINITY).point;
+	struct tcs_point at = image_encloses(seam, from, point)
+		? point
+		: nearest_image(seam, from, point, INFINITY).point;
 
 	return !isfinite(nearest_image(seam, to, at, 2 * seam->eps).distance) &&
 		!image_encloses(seam, to, at);
@@ -170,10 +199,11 @@ seam_is_half_open(const struct compare_side *before,
 {
 	struct seam seam = {before, after, match,
 		match_images(match, contact->a),
-		match_images(match, contact->b), eps, 0, 0};
+		match_images(match, contact->b), false, eps, 0, 0};
 
 	if (contact->inside)
 		return false;
+	seam.in_one = share_component(&seam);
 	add_side(&seam, contact->a, contact->b);
 	add_side(&seam, contact->b, contact->a);
 	return seam.points > 0 && 4 * seam.gaping >= seam.points;
@@ -185,7 +215,10 @@ component_is_still(const struct compare_side *before, uint32_t component,
 	double far)
 {
 	const struct component *own = &before->set.components.at[component];
-	struct seam seam = {.before = before, .after = after, .match = match};
+	struct seam seam = {.before = before,
+		.after = after,
+		.match = match,
+		.in_one = true};
 	struct images images = match_images(match, component);
 
 	for (uint32_t i = 0; i < own->count; i++) {

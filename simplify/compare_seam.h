@@ -13,9 +13,10 @@
  * where it is nearest, and its corners, middles of edges and centre as far as
  * they are within eps; of a hundred triangles, evenly chosen, where there are
  * more. A point gapes when, from where either side is nearest to it after, the
- * other is more than 2 eps away and does not enclose it; but not where both have
- * become parts of one component that is within 2 eps of the point, or encloses
- * it. Takes some log n steps for each triangle of one side in the box of the other.
+ * other is more than 2 eps away and does not enclose it: closed components are
+ * full, and a side that became part of one is all of it, unless both did; then
+ * they gape where that component is neither within 2 eps nor around the point.
+ * Takes some log n steps for each triangle of one side in the box of the other.
  */
 bool seam_is_half_open(const struct compare_side *before,
 	const struct compare_side *after, const struct compare_match *match,
