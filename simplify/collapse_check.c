@@ -29,7 +29,7 @@
 
 /* The nodes of ring face i that stay where they are; false for the faces at
    the edge, which go. */
-static bool
+static inline bool
 staying_corners(const struct collapses *work, size_t count, size_t i,
 	uint32_t target, uint32_t nodes[2])
 {
@@ -57,7 +57,7 @@ ring_face_at(const struct collapses *work, size_t count, size_t i,
 }
 
 /* Height over the longest edge, squared; `normal` is twice the area. */
-static double
+static inline double
 square_height(const struct triangle_shape *shape, struct tcs_point normal)
 {
 	const struct tcs_point *p = shape->corner;

@@ -19,7 +19,7 @@ next_of(int corner)
 }
 
 /* Inside by more than the depth; the point lies in the plane. */
-static bool
+static inline bool
 is_well_inside(const struct target *target, struct tcs_point point)
 {
 	for (int i = 0; i < 3; i++) {
@@ -38,7 +38,7 @@ is_well_inside(const struct target *target, struct tcs_point point)
 }
 
 /* How high the corners of `other` are over the target. */
-static void
+static inline void
 find_heights(const struct target *target, const struct triangle_shape *other,
 	double height[3])
 {
@@ -59,7 +59,7 @@ are_on_both_sides(const double height[3])
 }
 
 /* Whether an edge of `by` passes through. */
-static bool
+static inline bool
 is_pierced(const struct target *target, const struct triangle_shape *by,
 	const double height[3])
 {

@@ -25,7 +25,7 @@ triangle_area(const struct triangle_shape *triangle)
 	return vector_length(triangle_normal(triangle)) / 2;
 }
 
-static struct tcs_point
+static inline struct tcs_point
 segment_nearest(struct tcs_point a, struct tcs_point b, struct tcs_point point)
 {
 	struct tcs_point ab = vector_difference(b, a);
@@ -37,7 +37,7 @@ segment_nearest(struct tcs_point a, struct tcs_point b, struct tcs_point point)
 	return t >= square ? b : vector_along(a, ab, t / square);
 }
 
-static double
+static inline double
 square_distance(struct tcs_point a, struct tcs_point b)
 {
 	struct tcs_point ab = vector_difference(b, a);
