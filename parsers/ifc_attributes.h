@@ -84,8 +84,8 @@ enum tcs_status ifc_reference_text(const struct ifc_file *file, uint32_t object,
 /* ---- ifc_whereabouts.c --------------------------------------------------- */
 
 /*
- * Append where a site or building says it is: a site's latitude and longitude,
- * in degrees, and address, and a building's address as CityGML has it (2.0
+ * Append where a site or building says it is: a site's latitude, longitude and
+ * true north, in degrees, and address, and a building's address as CityGML has it (2.0
  * 10.3.4, in xAL 2.0), which readers of CityGML look for.
  */
 enum tcs_status ifc_whereabouts_write(struct ifc_saying *saying,

@@ -13,6 +13,8 @@ enum {
 	FACTOR_X
 };
 
+enum { CONTEXT_NORTH = 5 };
+
 static double
 number_or(const struct ifc_file *file, uint32_t instance, int position,
 	double otherwise)
@@ -128,4 +130,31 @@ ifc_georeference_read(
 		operation.unit > 0 ? length / operation.unit : 1, &out->world);
 	for (int i = 0; i < 12; i++)
 		out->world.at[i] *= by;
+}
+
+bool
+ifc_true_north(const struct ifc_model *model, double *degrees)
+{
+	const struct ifc_file *file = &model->file;
+	struct step_list contexts = step_instances(file->step,
+		step_names_find(&file->step->names,
+			"IFCGEOMETRICREPRESENTATIONCONTEXT"));
+	struct ifc_map_operation operation;
+	struct tcs_point north;
+
+	if (operation_find(file) != STEP_NONE ||
+		ifc_map_properties_read(model, &operation))
+		return false;
+	for (size_t i = 0; i < contexts.count; i++) {
+		uint32_t direction =
+			ifc_target(file, contexts.at[i], CONTEXT_NORTH);
+
+		if (!ifc_triple(file, direction, &north) ||
+			!(hypot(north.x, north.y) > 0))
+			continue;
+		/* Not -0. */
+		*degrees = atan2(north.x, north.y) * 180 / acos(-1) + 0.0;
+		return true;
+	}
+	return false;
 }

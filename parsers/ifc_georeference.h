@@ -32,6 +32,12 @@ struct ifc_georeference {
 void ifc_georeference_read(const struct ifc_model *model, bool local,
 	struct ifc_georeference *out);
 
+/*
+ * Where the file says north is: degrees clockwise from its y axis. False where
+ * it does not say, or tells a map operation, which counts.
+ */
+bool ifc_true_north(const struct ifc_model *model, double *degrees);
+
 /* ---- ifc_map_properties.c ------------------------------------------------ */
 
 /* What takes coordinates to a map. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "crew.h"
+#include "ifc_georeference.h"
 
 enum { CONTEXT_PRECISION = 3 };
 
@@ -151,10 +152,11 @@ ifc_model_read(struct ifc_model *model, const char *text, size_t length,
 			&model->file, &model->units, report, fault);
 	if (!status)
 		status = crew_run(&plan, jobs < PARTS ? jobs : PARTS, fault);
-	if (!status)
-		model->precision =
-			precision_read(&model->file, model->units.length);
-	return status;
+	if (status)
+		return status;
+	model->precision = precision_read(&model->file, model->units.length);
+	model->has_north = ifc_true_north(model, &model->north);
+	return TCS_OK;
 }
 
 void

@@ -27,6 +27,8 @@ struct ifc_model {
 	struct ifc_project_units project_units;
 	struct ifc_direct_places *direct; /* by the number of a name; owned */
 	double precision; /* of the file's lengths */
+	double north; /* see ifc_true_north … */
+	bool has_north; /* … where it is told */
 };
 
 /*

@@ -187,6 +187,22 @@ building_write(
 
 /* ---- latitude and longitude ---------------------------------------------- */
 
+static enum tcs_status
+degrees_write(struct ifc_saying *saying, const char *name, double degrees,
+	struct tcs_fault *fault)
+{
+	char text[NUMBER_LENGTH];
+	const struct step_value value = {
+		.kind = STEP_REAL,
+		.real = degrees,
+		.text = text,
+		.length = number_print(text, degrees),
+	};
+
+	return ifc_attribute_value(
+		saying, TCS_NONE, name, &value, "deg", fault);
+}
+
 /* Degrees, minutes, seconds and millionths of those, all of one sign. */
 static enum tcs_status
 angle_write(struct ifc_saying *saying, uint32_t site, const char *name,
@@ -196,9 +212,7 @@ angle_write(struct ifc_saying *saying, uint32_t site, const char *name,
 	const struct ifc_file *file = &saying->model->file;
 	struct step_value list = ifc_value(file, site,
 		ifc_attribute(file->version, ifc_entity_of(file, site), name));
-	struct step_value degrees = {.kind = STEP_REAL};
-	double read[4];
-	char text[NUMBER_LENGTH];
+	double read[4], degrees = 0;
 	size_t count;
 
 	if (list.kind != STEP_LIST)
@@ -207,11 +221,8 @@ angle_write(struct ifc_saying *saying, uint32_t site, const char *name,
 	if (count < 3)
 		return TCS_OK;
 	for (size_t i = 0; i < count; i++)
-		degrees.real += read[i] / parts[i];
-	degrees.text = text;
-	degrees.length = number_print(text, degrees.real);
-	return ifc_attribute_value(
-		saying, TCS_NONE, name, &degrees, "deg", fault);
+		degrees += read[i] / parts[i];
+	return degrees_write(saying, name, degrees, fault);
 }
 
 static enum tcs_status
@@ -224,6 +235,9 @@ site_write(struct ifc_saying *saying, uint32_t site, uint32_t address,
 
 	if (!status)
 		status = angle_write(saying, site, "RefLongitude", fault);
+	if (!status && saying->model->has_north)
+		status = degrees_write(
+			saying, "TrueNorth", saying->model->north, fault);
 	if (status || !address_read(&saying->model->file, address, parts))
 		return status;
 	return parts_write(saying, "SiteAddress", parts, ADDRESS_PARTS, fault);
