@@ -5,6 +5,9 @@
 #include "collapses.h"
 #include "number_sort.h"
 
+/* Metres: what stands out less, or less than what counts as touching, does not. */
+#define STANDS_OUT 0.01
+
 /* ---- who has which contacts ---------------------------------------------- */
 
 /* Count, then place. */
@@ -19,7 +22,7 @@ sort_contacts(struct cover_watch *watch, const struct component_set *set,
 		array_grow(&watch->lost, list->count))
 		return fault_memory(fault);
 	watch->list = list;
-	watch->reach = contact_reach(set);
+	watch->reach = fmin(contact_reach(set), STANDS_OUT);
 	watch->first.count = components + 1;
 	watch->contacts.count = 2 * list->count;
 	watch->lost.count = list->count;
