@@ -378,21 +378,21 @@ panels_cost(const struct handles *handles, double *faces)
 	return cost;
 }
 
-/* How much of a contact is lost by what is seen no more. */
+/* How many parts will be seen no more. */
 static double
 count_hidden(const struct handles *handles)
 {
 	const struct panels *panels = &handles->panels;
+	const double *visible = handles->removals->visible.at;
 	double hidden = 0;
 
-	for (size_t i = 0; i < panels->at.count; i++)
-		for (uint32_t k = 0;
-			!panels->at.at[i].fine && k < panels->at.at[i].count;
-			k++)
-			hidden += handles->removals->visible
-					  .at[panels->parts.at[panels->at.at[i]
-								       .first +
-						  k]] > 0;
+	for (size_t i = 0; i < panels->at.count; i++) {
+		const struct panel *panel = &panels->at.at[i];
+		const uint32_t *parts = panels->parts.at + panel->first;
+
+		for (uint32_t k = 0; !panel->fine && k < panel->count; k++)
+			hidden += visible[parts[k]] > 0;
+	}
 	return hidden;
 }
 
