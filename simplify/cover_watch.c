@@ -5,9 +5,6 @@
 #include "collapses.h"
 #include "number_sort.h"
 
-/* Metres: what stands out less, or less than what counts as touching, does not. */
-#define STANDS_OUT 0.01
-
 /* ---- who has which contacts ---------------------------------------------- */
 
 /* Count, then place. */

@@ -11,6 +11,9 @@
 
 #include "contacts.h"
 
+/* Metres that what is in another may stand out of it, at most. */
+#define STANDS_OUT 0.01
+
 struct collapses;
 struct refill;
 

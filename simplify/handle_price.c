@@ -6,9 +6,6 @@
    where what hides it is near. */
 #define VIEW_SHARE 0.25
 
-/* Metres that what counts as being in a hole may stand out of it. */
-#define STANDS_OUT 0.01
-
 /* Metres: what is less off is not worth a look yet. */
 #define LEAST_OFF 0.01
 
