@@ -18,7 +18,7 @@ struct search {
 	struct inner_outlines *to;
 	const struct component_set *set;
 	const struct sheets *sheets;
-	uint32_t *pieces; /* a forest of faces */
+	bool *rings; /* per face, for a flat one's first: it may have any */
 	struct tcs_fault *fault;
 };
 
@@ -39,30 +39,29 @@ next_corner(uint32_t corner)
 
 /* ---- flat faces ---------------------------------------------------------- */
 
-/* Whether a face lies in the plane of the first of a flat one. */
+/* Whether a face lies in the plane of the first of a flat one: its corner
+   `apex` does, and so do the others, which are corners of that one, too. */
 static bool
-is_flat_with(const struct search *search, uint32_t first, uint32_t face)
+is_flat_with(const struct search *search, uint32_t first, uint32_t apex)
 {
 	struct tcs_point normal = search->sheets->normals.at[first];
-	struct tcs_point own = search->sheets->normals.at[face];
+	struct tcs_point own = search->sheets->normals.at[apex / 3];
 	struct tcs_point from = corner_place(search, 3 * first);
 
-	if (vector_dot(own, own) > 0 && vector_dot(own, normal) < FLAT_COSINE)
-		return false;
-	for (uint32_t k = 0; k < 3; k++)
-		if (fabs(vector_dot(normal,
-			    vector_difference(
-				    corner_place(search, 3 * face + k),
-				    from))) > FLAT_HEIGHT)
-			return false;
-	return true;
+	return !(vector_dot(own, own) > 0 &&
+		       vector_dot(own, normal) < FLAT_COSINE) &&
+		!(fabs(vector_dot(normal,
+			  vector_difference(corner_place(search, apex),
+				  from))) > FLAT_HEIGHT);
 }
 
+/* Every flat face of which no edge closes a ring of its faces is a disc. */
 static void
 spread(struct search *search, uint32_t first)
 {
 	struct inner_outlines *to = search->to;
 	const uint32_t *opposites = search->sheets->opposites.at;
+	size_t faces = 0, joined = 0;
 
 	to->stack.count = 0;
 	to->stack.at[to->stack.count++] = first;
@@ -70,17 +69,22 @@ spread(struct search *search, uint32_t first)
 	while (to->stack.count > 0) {
 		uint32_t face = to->stack.at[--to->stack.count];
 
+		faces++;
 		for (uint32_t c = 3 * face; c < 3 * face + 3; c++) {
-			uint32_t other = opposites[c] / 3;
+			uint32_t back = opposites[c], other = back / 3;
 
-			if (opposites[c] == HALF_EDGE_NONE ||
-				to->flats.at[other] != TCS_NONE ||
-				!is_flat_with(search, first, other))
+			if (back == HALF_EDGE_NONE)
 				continue;
-			to->flats.at[other] = first;
-			to->stack.at[to->stack.count++] = other;
+			if (to->flats.at[other] == TCS_NONE &&
+				is_flat_with(search, first,
+					next_corner(next_corner(back)))) {
+				to->flats.at[other] = first;
+				to->stack.at[to->stack.count++] = other;
+			}
+			joined += to->flats.at[other] == first;
 		}
 	}
+	search->rings[first] = joined > 2 * (faces - 1);
 }
 
 static enum tcs_status
@@ -178,7 +182,8 @@ find_outlines(struct search *search)
 	if (corners > 0)
 		memset(to->cut.at, 0, corners * sizeof *to->cut.at);
 	for (uint32_t i = 0; i < corners; i++) {
-		if (seen[i] || !is_outline(search, i) ||
+		if (!search->rings[to->flats.at[i / 3]] || seen[i] ||
+			!is_outline(search, i) ||
 			outline_area(search, i, seen) >= -2 * LEAST_AREA)
 			continue;
 		if (array_grow(&to->outlines, 1)) {
@@ -201,16 +206,17 @@ find_pieces(struct search *search)
 	const struct sheets *sheets = search->sheets;
 	size_t faces = sheets->face_triangles.count;
 
-	array_clear(&to->pieces);
 	if (array_grow(&to->pieces, faces))
 		return fault_memory(search->fault);
 	to->pieces.count = faces;
 	for (uint32_t i = 0; i < faces; i++)
 		to->pieces.at[i] = i;
-	for (uint32_t i = 0; i < 3 * faces; i++)
-		if (sheets->opposites.at[i] != HALF_EDGE_NONE && !to->cut.at[i])
-			forest_join(to->pieces.at, i / 3,
-				sheets->opposites.at[i] / 3);
+	for (uint32_t i = 0; i < 3 * faces; i++) {
+		uint32_t back = sheets->opposites.at[i];
+
+		if (back != HALF_EDGE_NONE && back > i && !to->cut.at[i])
+			forest_join(to->pieces.at, i / 3, back / 3);
+	}
 	for (uint32_t i = 0; i < faces; i++)
 		to->pieces.at[i] = forest_root(to->pieces.at, i);
 	return TCS_OK;
@@ -224,7 +230,6 @@ find_hosts(struct search *search)
 	size_t faces = search->sheets->face_triangles.count;
 	bool *spoilt = calloc(faces + 1, sizeof *spoilt);
 
-	array_clear(&to->hosts);
 	if (!spoilt || array_grow(&to->hosts, faces)) {
 		free(spoilt);
 		return fault_memory(search->fault);
@@ -256,13 +261,22 @@ inner_outlines_find(struct inner_outlines *outlines,
 	const struct component_set *set, const struct sheets *sheets,
 	struct tcs_fault *fault)
 {
-	struct search search = {outlines, set, sheets, NULL, fault};
-	enum tcs_status status = find_flats(&search);
+	struct search search = {.to = outlines,
+		.set = set,
+		.sheets = sheets,
+		.rings = calloc(sheets->face_triangles.count + 1, sizeof(bool)),
+		.fault = fault};
+	enum tcs_status status =
+		search.rings ? find_flats(&search) : fault_memory(fault);
 
+	array_clear(&outlines->pieces);
+	array_clear(&outlines->hosts);
 	if (!status)
 		status = find_outlines(&search);
-	if (!status)
-		status = find_pieces(&search);
+	free(search.rings);
+	if (status || !outlines->outlines.count)
+		return status;
+	status = find_pieces(&search);
 	return status ? status : find_hosts(&search);
 }
 

@@ -14,9 +14,10 @@
 #include "sheets.h"
 
 struct inner_outlines {
-	/* Per face: the piece that it is of, as its least face. */
+	/* Per face: the piece that it is of, as its least face; none where
+	   there is no inner outline. */
 	TCS_ARRAY(uint32_t) pieces;
-	/* Per face, for a piece's least one: the piece with the flat faces
+	/* The same, for a piece's least one: the piece with the flat faces
 	   whose inner outlines bound it; TCS_NONE: there are none or several,
 	   or it bounds others in this way itself. */
 	TCS_ARRAY(uint32_t) hosts;
