@@ -17,6 +17,9 @@
  * IJGI 10, 422); M. Garland, P. Heckbert, 1997, boundary
  * constraints.
  */
+#include <stdlib.h>
+#include <string.h>
+
 #include "collapses.h"
 
 /* Weights of the planes across, per square metre of the edge's square. */
@@ -237,16 +240,48 @@ collapses_weigh_node(
 	return status;
 }
 
-enum tcs_status
-collapses_weigh_borders(struct collapses *work, struct tcs_fault *fault)
+/* Whether two faces are alike in all that makes a border. */
+static bool
+are_of_one_region(const struct collapses *work, uint32_t a, uint32_t b)
+{
+	const uint32_t *charts = work->regions.charts;
+
+	return work->features.at[a] == work->features.at[b] &&
+		(!charts ||
+			charts[collapses_source(work, a)] ==
+				charts[collapses_source(work, b)]);
+}
+
+/* Tell which vertices have faces that are not all alike: no other is at a
+   border. firsts[vertex] is scratch. */
+static void
+find_mixed(const struct collapses *work, uint32_t *firsts, bool *mixed)
+{
+	uint32_t corners[3];
+
+	for (uint32_t i = 0; i < work->features.count; i++) {
+		if (!half_edges_corners(work->mesh, i, corners))
+			continue;
+		for (int k = 0; k < 3; k++) {
+			uint32_t *first = &firsts[corners[k]];
+
+			if (*first == TCS_NONE)
+				*first = i;
+			mixed[corners[k]] |=
+				!are_of_one_region(work, *first, i);
+		}
+	}
+}
+
+static enum tcs_status
+weigh_mixed(struct collapses *work, const bool *mixed, struct tcs_fault *fault)
 {
 	size_t vertices = work->sheets->vertex_nodes.count, count;
 	enum tcs_status status = TCS_OK;
 
-	for (size_t i = 0; i < work->sheets->node_count; i++)
-		work->border_places.at[i] = TCS_NONE;
-	array_clear(&work->borders);
 	for (uint32_t v = 0; !status && v < vertices; v++) {
+		if (!mixed[v])
+			continue;
 		status = spokes_of(work, v, &count, fault);
 		for (size_t i = 0; !status && i < count; i++)
 			status = add_border(work, node_of(work, v),
@@ -254,6 +289,30 @@ collapses_weigh_borders(struct collapses *work, struct tcs_fault *fault)
 				work->spokes.at[i ? i - 1 : count - 1].face,
 				fault);
 	}
+	return status;
+}
+
+enum tcs_status
+collapses_weigh_borders(struct collapses *work, struct tcs_fault *fault)
+{
+	size_t vertices = work->sheets->vertex_nodes.count;
+	uint32_t *firsts = malloc((vertices + 1) * sizeof *firsts);
+	bool *mixed = calloc(vertices + 1, sizeof *mixed);
+	enum tcs_status status;
+
+	for (size_t i = 0; i < work->sheets->node_count; i++)
+		work->border_places.at[i] = TCS_NONE;
+	array_clear(&work->borders);
+	if (!firsts || !mixed) {
+		status = fault_memory(fault);
+	} else {
+		/* TCS_NONE is all ones. */
+		memset(firsts, 0xff, vertices * sizeof *firsts);
+		find_mixed(work, firsts, mixed);
+		status = weigh_mixed(work, mixed, fault);
+	}
+	free(firsts);
+	free(mixed);
 	return status;
 }
 
