@@ -6,6 +6,8 @@ enum {
 	NATURAL_ORDER = 64, /* faces that are left in the order they have */
 	MAX_LEVELS = 11, /* 8^11 faces are more than there are */
 	CURVE_BITS = 10, /* of a place along each axis */
+	DIGIT_BITS = 8, /* that are sorted at once */
+	DIGIT_MASK = (1 << DIGIT_BITS) - 1,
 	MOST_EXTRACTED = 64, /* faces that are copied */
 };
 
@@ -159,18 +161,38 @@ curve_place(const struct float_box *all, const struct float_box *box)
 	return place;
 }
 
-static int
-by_key(const void *left, const void *right)
+/* The lower halves of the numbers stay as they stood where the upper ones are
+   the same. `other` is as long; what is sorted may be in either, and returned. */
+static uint64_t *
+sort_by_upper_half(uint64_t *order, uint64_t *other, size_t count)
 {
-	const uint64_t *a = left, *b = right;
+	for (unsigned shift = 32; shift < 32 + 3 * CURVE_BITS;
+		shift += DIGIT_BITS) {
+		size_t ends[1 << DIGIT_BITS] = {0}, end = 0;
+		uint64_t *sorted = other;
 
-	return (*a > *b) - (*a < *b);
+		for (size_t i = 0; i < count; i++)
+			ends[order[i] >> shift & DIGIT_MASK]++;
+		for (size_t digit = 0; digit <= DIGIT_MASK; digit++) {
+			size_t more = ends[digit];
+
+			ends[digit] = end;
+			end += more;
+		}
+		for (size_t i = 0; i < count; i++)
+			sorted[ends[order[i] >> shift & DIGIT_MASK]++] =
+				order[i];
+		other = order;
+		order = sorted;
+	}
+	return order;
 }
 
 /* The boxes by their places along the curve; the lower half of each number is
    which box it is. */
-static void
-sort_boxes(uint64_t *order, const struct float_box *own, size_t count)
+static uint64_t *
+sort_boxes(uint64_t *order, uint64_t *other, const struct float_box *own,
+	size_t count)
 {
 	struct float_box all = own[0];
 
@@ -183,25 +205,25 @@ sort_boxes(uint64_t *order, const struct float_box *own, size_t count)
 		}
 	for (size_t i = 0; i < count; i++)
 		order[i] |= curve_place(&all, &own[i]) << 32;
-	qsort(order, count, sizeof *order, by_key);
+	return sort_by_upper_half(order, other, count);
 }
 
 enum tcs_status
 face_boxes_add(struct face_boxes *boxes, const uint32_t *faces,
 	const struct float_box *own, size_t count, struct tcs_fault *fault)
 {
-	uint64_t *order = calloc(count + 1, sizeof *order);
+	uint64_t *room = malloc(2 * count * sizeof *room), *order = room;
 	enum tcs_status status;
 
 	if (!order || array_grow(&boxes->runs, 1) ||
 		array_grow(&boxes->faces, count)) {
-		free(order);
+		free(room);
 		return fault_memory(fault);
 	}
 	for (size_t i = 0; i < count; i++)
 		order[i] = i;
 	if (count > NATURAL_ORDER)
-		sort_boxes(order, own, count);
+		order = sort_boxes(order, order + count, own, count);
 	boxes->runs.at[boxes->runs.count++] =
 		(struct face_run){(uint32_t)boxes->blocks.count,
 			(uint32_t)boxes->faces.count, (uint32_t)count};
@@ -209,7 +231,7 @@ face_boxes_add(struct face_boxes *boxes, const uint32_t *faces,
 		boxes->faces.at[boxes->faces.count++] =
 			faces[order[i] & UINT32_MAX];
 	status = add_blocks(boxes, own, order, count, fault);
-	free(order);
+	free(room);
 	return status;
 }
 
