@@ -33,10 +33,12 @@ number_parts(struct search *search)
 	}
 	for (uint32_t i = 0; i < faces; i++)
 		parents[i] = i;
-	for (uint32_t i = 0; i < 3 * faces; i++)
-		if (sheets->opposites.at[i] != HALF_EDGE_NONE)
-			forest_join(
-				parents, i / 3, sheets->opposites.at[i] / 3);
+	for (uint32_t i = 0; i < 3 * faces; i++) {
+		uint32_t back = sheets->opposites.at[i];
+
+		if (back != HALF_EDGE_NONE && back > i)
+			forest_join(parents, i / 3, back / 3);
+	}
 	for (uint32_t i = 0; i < faces; i++) {
 		uint32_t root = forest_root(parents, i);
 
@@ -134,12 +136,23 @@ count_components(struct search *search, const struct contact_list *contacts)
 
 /* ---- links --------------------------------------------------------------- */
 
+/* Points of one seam stand in a row. */
+static bool
+is_last_pair(const struct parts *parts, uint32_t a, uint32_t b)
+{
+	size_t count = parts->pairs.count;
+
+	return count > 0 && parts->pairs.at[count - 2] == a &&
+		parts->pairs.at[count - 1] == b;
+}
+
 static enum tcs_status
 add_link(struct search *search, uint32_t a, uint32_t b)
 {
 	struct parts *parts = search->parts;
 
-	if (a == b || a == TCS_NONE || b == TCS_NONE)
+	if (a == b || a == TCS_NONE || b == TCS_NONE ||
+		is_last_pair(parts, a, b))
 		return TCS_OK;
 	if (array_grow(&parts->pairs, 2))
 		return fault_memory(search->fault);
