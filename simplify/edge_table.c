@@ -93,15 +93,3 @@ edge_table_release(struct edge_table *table)
 {
 	array_release(&table->uses);
 }
-
-size_t
-edge_table_run(const struct edge_table *table, size_t first)
-{
-	const struct edge_use *use = &table->uses.at[first];
-	size_t end = first + 1;
-
-	while (end < table->uses.count && table->uses.at[end].low == use->low &&
-		table->uses.at[end].high == use->high)
-		end++;
-	return end - first;
-}

@@ -44,6 +44,16 @@ enum tcs_status edge_table_build(struct edge_table *table,
 void edge_table_release(struct edge_table *table);
 
 /* How many uses, from `first` on, are of the same edge. */
-size_t edge_table_run(const struct edge_table *table, size_t first);
+static inline size_t
+edge_table_run(const struct edge_table *table, size_t first)
+{
+	const struct edge_use *use = &table->uses.at[first];
+	size_t end = first + 1;
+
+	while (end < table->uses.count && table->uses.at[end].low == use->low &&
+		table->uses.at[end].high == use->high)
+		end++;
+	return end - first;
+}
 
 #endif
