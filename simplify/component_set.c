@@ -6,7 +6,6 @@
 #include "components.h"
 #include "labels.h"
 #include "vector.h"
-#include "weld.h"
 
 enum { MANY_POINTS = 1 << 14 };
 
@@ -49,7 +48,7 @@ component_set_add(struct component_set *set, const struct tcs_point corners[3],
 	uint32_t feature, uint32_t shell, struct tcs_fault *fault)
 {
 	const uint32_t *hosts = set->hosts.count ? set->hosts.at : NULL;
-	uint32_t first = (uint32_t)set->points.count;
+	struct tcs_triangle triangle;
 
 	if (set->triangles.count >= (size_t)1 << 29)
 		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
@@ -57,10 +56,17 @@ component_set_add(struct component_set *set, const struct tcs_point corners[3],
 	if (array_grow(&set->points, 3) || array_grow(&set->triangles, 1) ||
 		array_grow(&set->features, 1) || array_grow(&set->bodies, 1))
 		return fault_memory(fault);
-	for (int i = 0; i < 3; i++)
-		set->points.at[set->points.count++] = corners[i];
-	set->triangles.at[set->triangles.count++] =
-		(struct tcs_triangle){{first, first + 1, first + 2}};
+	for (int i = 0; i < 3; i++) {
+		enum tcs_status status =
+			weld_find(&set->weld, set->points.at, set->points.count,
+				corners[i], &triangle.corner[i], fault);
+
+		if (status)
+			return status;
+		if (triangle.corner[i] == set->points.count)
+			set->points.at[set->points.count++] = corners[i];
+	}
+	set->triangles.at[set->triangles.count++] = triangle;
 	set->features.at[set->features.count++] = feature;
 	/* Shells count down from the top, where no features are. */
 	set->bodies.at[set->bodies.count++] = shell != TCS_NONE
@@ -81,44 +87,20 @@ component_set_shape(const struct component_set *set, size_t triangle)
 
 /* ---- building ------------------------------------------------------------ */
 
-/* Give back the room of the points that were others, where it is much. */
+/* Give back the room that no point needs, where it is much. */
 static void
-keep_points(struct component_set *set, size_t count)
+keep_points(struct component_set *set)
 {
+	size_t count = set->points.count;
 	struct tcs_point *fitting = NULL;
 
-	set->points.count = count;
-	if (count > MANY_POINTS && set->points.room > 2 * count)
+	if (count > MANY_POINTS)
 		fitting =
 			realloc(set->points.at, count * sizeof *set->points.at);
 	if (!fitting)
 		return;
 	set->points.at = fitting;
 	set->points.room = count;
-}
-
-static enum tcs_status
-weld(struct component_set *set, struct tcs_fault *fault)
-{
-	size_t count = set->points.count, distinct;
-	uint32_t *numbers = calloc(count + 1, sizeof *numbers);
-	enum tcs_status status;
-
-	if (!numbers)
-		return fault_memory(fault);
-	status = weld_points(set->points.at, count, numbers, &distinct, fault);
-	for (size_t i = 0; !status && i < count; i++)
-		set->points.at[numbers[i]] = set->points.at[i];
-	for (size_t i = 0; !status && i < set->triangles.count; i++)
-		for (int k = 0; k < 3; k++) {
-			uint32_t *corner = &set->triangles.at[i].corner[k];
-
-			*corner = numbers[*corner];
-		}
-	free(numbers);
-	if (!status)
-		keep_points(set, distinct);
-	return status;
 }
 
 static enum tcs_status
@@ -252,11 +234,12 @@ bound_components(struct component_set *set, struct tcs_fault *fault)
 enum tcs_status
 component_set_join(struct component_set *set, struct tcs_fault *fault)
 {
-	enum tcs_status status = weld(set, fault);
+	enum tcs_status status;
 
 	set->bounds = BOX_EMPTY;
-	if (!status)
-		status = find_components(set, fault);
+	weld_clear(&set->weld);
+	keep_points(set);
+	status = find_components(set, fault);
 	if (!status)
 		status = list_triangles(set, fault);
 	if (status)
@@ -293,6 +276,7 @@ component_set_enlarge(
 void
 component_set_clear(struct component_set *set)
 {
+	weld_clear(&set->weld);
 	array_clear(&set->points);
 	array_clear(&set->triangles);
 	array_clear(&set->features);
@@ -312,6 +296,7 @@ component_set_clear(struct component_set *set)
 void
 component_set_release(struct component_set *set)
 {
+	weld_release(&set->weld);
 	array_release(&set->points);
 	array_release(&set->triangles);
 	array_release(&set->features);

@@ -7,6 +7,7 @@
 
 #include "edge_table.h"
 #include "triangle_tree.h"
+#include "weld.h"
 
 struct component {
 	uint32_t first, count; /* of `order` */
@@ -20,7 +21,8 @@ struct component {
 /* All zero is empty; component_set_clear keeps the room. */
 struct component_set {
 	unsigned jobs; /* threads to use for it; 0 is 1 */
-	TCS_ARRAY(struct tcs_point) points;
+	TCS_ARRAY(struct tcs_point) points; /* distinct */
+	struct weld weld; /* of the points, while triangles are put */
 	TCS_ARRAY(struct tcs_triangle) triangles;
 	TCS_ARRAY(uint32_t) features; /* of each triangle */
 	TCS_ARRAY(uint32_t) bodies; /* of each triangle; components.h */
@@ -52,8 +54,8 @@ enum tcs_status component_set_add(struct component_set *set,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /*
- * Once all are there: weld, find the components, grow the trees. Points are
- * distinct from then on. Takes n log n steps. Fails with TCS_NO_MEMORY.
+ * Once all are there: find the components, grow the trees. Takes n log n steps.
+ * Fails with TCS_NO_MEMORY.
  */
 enum tcs_status component_set_build(
 	struct component_set *set, struct tcs_fault *fault) TCS_CHECKED;

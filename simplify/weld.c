@@ -1,13 +1,8 @@
 #include "weld.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-/* A slot names the first point that came to it, plus one; 0 is free. */
-struct weld_slots {
-	uint32_t *at;
-	size_t mask;
-};
+enum { LEAST_SLOTS = 64 };
 
 static uint64_t
 mixed(uint64_t bits, double value)
@@ -36,43 +31,61 @@ is_same(struct tcs_point a, struct tcs_point b)
 	return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* The first point equal to points[i], which may be itself. */
-static size_t
-first_equal(struct weld_slots *slots, const struct tcs_point *points, size_t i)
+/* The slot of the point, or the free one where it belongs. */
+static uint32_t *
+slot_of(struct weld *weld, const struct tcs_point *points,
+	struct tcs_point point)
 {
-	size_t at = hash_point(points[i]) & slots->mask;
+	size_t mask = weld->slots.count - 1, at = hash_point(point) & mask;
+	uint32_t *slots = weld->slots.at;
 
-	while (slots->at[at]) {
-		size_t other = slots->at[at] - 1;
+	while (slots[at] && !is_same(points[slots[at] - 1], point))
+		at = (at + 1) & mask;
+	return &slots[at];
+}
 
-		if (is_same(points[other], points[i]))
-			return other;
-		at = (at + 1) & slots->mask;
-	}
-	slots->at[at] = (uint32_t)(i + 1);
-	return i;
+/* Twice as many slots as there are points, at least. */
+static enum tcs_status
+make_room(struct weld *weld, const struct tcs_point *points, size_t count,
+	struct tcs_fault *fault)
+{
+	size_t room = weld->slots.count ? 4 * weld->slots.count : LEAST_SLOTS;
+
+	if (array_grow(&weld->slots, room - weld->slots.count))
+		return fault_memory(fault);
+	weld->slots.count = room;
+	memset(weld->slots.at, 0, room * sizeof *weld->slots.at);
+	for (size_t i = 0; i < count; i++)
+		*slot_of(weld, points, points[i]) = (uint32_t)(i + 1);
+	return TCS_OK;
 }
 
 enum tcs_status
-weld_points(const struct tcs_point *points, size_t count, uint32_t *numbers,
-	size_t *distinct, struct tcs_fault *fault)
+weld_find(struct weld *weld, const struct tcs_point *points, size_t count,
+	struct tcs_point point, uint32_t *number, struct tcs_fault *fault)
 {
-	struct weld_slots slots;
-	size_t room = 16;
+	enum tcs_status status = TCS_OK;
+	uint32_t *slot;
 
-	while (room < 2 * count)
-		room *= 2;
-	slots.mask = room - 1;
-	slots.at = calloc(room, sizeof *slots.at);
-	if (!slots.at)
-		return fault_memory(fault);
-	*distinct = 0;
-	for (size_t i = 0; i < count; i++) {
-		size_t first = first_equal(&slots, points, i);
-
-		numbers[i] =
-			first < i ? numbers[first] : (uint32_t)(*distinct)++;
-	}
-	free(slots.at);
+	if (2 * count >= weld->slots.count)
+		status = make_room(weld, points, count, fault);
+	if (status)
+		return status;
+	slot = slot_of(weld, points, point);
+	if (!*slot)
+		*slot = (uint32_t)(count + 1);
+	*number = *slot - 1;
 	return TCS_OK;
+}
+
+void
+weld_clear(struct weld *weld)
+{
+	array_trim(&weld->slots);
+}
+
+void
+weld_release(struct weld *weld)
+{
+	array_release(&weld->slots);
 }

@@ -41,6 +41,28 @@ count_components(struct mesh *mesh)
 	return count_bodies(mesh, mesh->features);
 }
 
+/* Number the points; how many are distinct. */
+static size_t
+weld_all(const struct tcs_point *points, size_t count, uint32_t *numbers)
+{
+	struct tcs_point *distinct = calloc(count, sizeof *distinct);
+	struct weld weld = {0};
+	struct tcs_fault fault;
+	size_t found = 0;
+
+	if (!distinct)
+		abort();
+	for (size_t i = 0; i < count; i++) {
+		CHECK(!weld_find(&weld, distinct, found, points[i], &numbers[i],
+			&fault));
+		if (numbers[i] == found)
+			distinct[found++] = points[i];
+	}
+	weld_release(&weld);
+	free(distinct);
+	return found;
+}
+
 static void
 equal_positions_are_one_point(void)
 {
@@ -52,11 +74,8 @@ equal_positions_are_one_point(void)
 		{1, 2, 3.0000000000000004},
 	};
 	uint32_t numbers[5];
-	struct tcs_fault fault;
-	size_t distinct;
 
-	CHECK(!weld_points(points, 5, numbers, &distinct, &fault));
-	CHECK(distinct == 3);
+	CHECK(weld_all(points, 5, numbers) == 3);
 	CHECK(numbers[0] == 0 && numbers[1] == 1 && numbers[2] == 0);
 	CHECK(numbers[3] == 1 && numbers[4] == 2);
 }
@@ -68,8 +87,7 @@ a_grid_welds_with_its_copy(void)
 	enum { SIDE = 300, COUNT = SIDE * SIDE };
 	struct tcs_point *points = calloc(2 * COUNT, sizeof *points);
 	uint32_t *numbers = calloc(2 * COUNT, sizeof *numbers);
-	struct tcs_fault fault;
-	size_t distinct, wrong = 0;
+	size_t wrong = 0;
 
 	if (!points || !numbers)
 		abort();
@@ -77,8 +95,7 @@ a_grid_welds_with_its_copy(void)
 		points[i] = (struct tcs_point){
 			458000 + (double)(i % COUNT % SIDE) / 1000,
 			5438000 + (double)(i % COUNT / SIDE) / 1000, 112};
-	CHECK(!weld_points(points, 2 * COUNT, numbers, &distinct, &fault));
-	CHECK(distinct == COUNT);
+	CHECK(weld_all(points, 2 * COUNT, numbers) == COUNT);
 	for (size_t i = 0; i < 2 * COUNT; i++)
 		wrong += numbers[i] != i % COUNT;
 	CHECK(wrong == 0);
@@ -97,6 +114,20 @@ a_shared_point_joins_inside_a_feature_only(void)
 	CHECK(count_components(&mesh) == 2);
 	CHECK(mesh.components[0] == 0 && mesh.components[1] == 0);
 	CHECK(mesh.components[2] == 1);
+}
+
+static void
+a_feature_is_joined_over_another_at_a_point(void)
+{
+	struct mesh mesh = {0};
+
+	add(&mesh, 1, 0, 1, 2);
+	add(&mesh, 2, 2, 3, 4);
+	add(&mesh, 1, 2, 5, 6);
+	add(&mesh, 2, 2, 7, 8);
+	CHECK(count_components(&mesh) == 2);
+	CHECK(mesh.components[0] == 0 && mesh.components[1] == 1);
+	CHECK(mesh.components[2] == 0 && mesh.components[3] == 1);
 }
 
 static void
@@ -194,6 +225,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(equal_positions_are_one_point),
 	CHECK_TEST(a_grid_welds_with_its_copy),
 	CHECK_TEST(a_shared_point_joins_inside_a_feature_only),
+	CHECK_TEST(a_feature_is_joined_over_another_at_a_point),
 	CHECK_TEST(an_edge_of_two_joins_across_features),
 	CHECK_TEST(an_edge_of_two_joins_inside_a_body),
 	CHECK_TEST(components_count_in_the_order_of_their_first_triangles),
