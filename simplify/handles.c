@@ -355,18 +355,19 @@ handles_try(struct handles *handles, struct tcs_fault *fault)
 	struct refill refill = {0};
 	double price = INFINITY;
 	bool fine = false;
-	enum tcs_status status = removals_look(handles->removals, fault);
+	enum tcs_status status;
 
-	if (!status && is_built_over(handles, first.node)) {
+	if (is_built_over(handles, first.node)) {
 		node_queue_set(&handles->queue, first.node, INFINITY);
 		return TCS_OK;
 	}
-	if (!status)
-		status = plan(handles, &handles->at.at[first.node], &refill,
-			&fine, fault);
+	status = plan(
+		handles, &handles->at.at[first.node], &refill, &fine, fault);
 	if (!status && fine)
 		status = crossing_watch_admits(
 			handles->work, &refill, &fine, fault);
+	if (!status && fine)
+		status = removals_look(handles->removals, fault);
 	if (!status && fine)
 		status = handle_price(
 			handles, first.node, refill.adds, &price, fault);

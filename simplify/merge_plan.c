@@ -268,7 +268,7 @@ know_prism(struct merge_plan *plan, const struct collapses *work,
 	}
 	status = make_prism(plan, work, removals, PRISM_SIDES, fault);
 	*known = (struct merge_known){
-		(uint32_t)plan->parts.count, plan->prism, -1};
+		(uint32_t)plan->parts.count, plan->prism, -1, 0};
 	return status;
 }
 
@@ -398,13 +398,9 @@ add_swallowed(struct merge_plan *plan, const struct collapses *work,
 static void
 add_up(struct merge_plan *plan, const struct removals *removals)
 {
-	plan->area = plan->visible = 0;
-	for (size_t i = 0; i < plan->parts.count; i++) {
-		uint32_t part = plan->parts.at[i];
-
-		plan->area += removals->parts.at.at[part].area;
-		plan->visible += removals->visible.at[part];
-	}
+	plan->area = 0;
+	for (size_t i = 0; i < plan->parts.count; i++)
+		plan->area += removals->parts.at.at[plan->parts.at[i]].area;
 }
 
 /* Whose faces it becomes, and with as many sides as there are faces for. */
@@ -427,7 +423,7 @@ find_host(struct merge_plan *plan, struct collapses *work,
 	if (!status && sides > 0 && sides < plan->prism.sides) {
 		status = make_prism(plan, work, removals, sides, fault);
 		known->prism = plan->prism;
-		known->shape = -1;
+		known->off = -1;
 	}
 	*fine = sides > 0 && plan->prism.sides > 0;
 	return status;

@@ -17,7 +17,8 @@
 struct merge_known {
 	uint32_t parts; /* that were there; 0: nothing is known */
 	struct prism prism; /* no sides: there is none */
-	double shape; /* see merge_shape_cost; negative: not known */
+	double off; /* see merge_off; negative: not known */
+	double shape; /* what it costs that it is off, as was last found */
 };
 
 /* All zero is empty; reused from group to group. */
@@ -27,7 +28,6 @@ struct merge_plan {
 	struct prism prism;
 	TCS_ARRAY(uint32_t) faces; /* ascending; that are left of them */
 	double area; /* square metres, of the parts as they came */
-	double visible; /* of it: as seen */
 	/* For collapses_refill: */
 	uint32_t numbers[PRISM_TRIANGLES];
 	uint32_t corners[3 * PRISM_TRIANGLES];

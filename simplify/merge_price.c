@@ -328,10 +328,9 @@ merge_paid(const struct merge_plan *plan, const struct merge_pricing *pricing)
 /* ---- the shape ----------------------------------------------------------- */
 
 enum tcs_status
-merge_shape_cost(const struct merge_plan *plan, struct merge_pricing *pricing,
-	struct removals *removals, double *cost, struct tcs_fault *fault)
+merge_off(const struct merge_plan *plan, struct merge_pricing *pricing,
+	struct removals *removals, double *off, struct tcs_fault *fault)
 {
-	double share = plan->area > 0 ? plan->visible / plan->area : 0;
 	double open = merge_open_area(plan, removals);
 	double width = THROUGH_SHARE * sqrt(open);
 	double prism = 0, parts = 0;
@@ -340,9 +339,20 @@ merge_shape_cost(const struct merge_plan *plan, struct merge_pricing *pricing,
 	if (!status)
 		status = parts_off(plan, pricing, removals, &parts, fault);
 	if (!status)
-		*cost = fmax(share, HIDDEN_SHARE) *
-			(prism + parts + 2 * open * width * width);
+		*off = prism + parts + 2 * open * width * width;
 	return status;
+}
+
+double
+merge_seen_share(const struct merge_plan *plan, const struct removals *removals)
+{
+	const double *visible = removals->visible.at;
+	double seen = 0;
+
+	for (size_t i = 0; removals->visible.count > 0 && i < plan->parts.count;
+		i++)
+		seen += visible[plan->parts.at[i]];
+	return fmax(plan->area > 0 ? seen / plan->area : 0, HIDDEN_SHARE);
 }
 
 /* ---- what breaks --------------------------------------------------------- */

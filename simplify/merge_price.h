@@ -19,11 +19,17 @@ struct merge_pricing {
 enum tcs_status merge_pricing_begin(struct merge_pricing *pricing,
 	const struct removals *removals, struct tcs_fault *fault) TCS_CHECKED;
 
-/* The shape, square metres times area: it does not change while the parts are
-   the same. Fails with TCS_NO_MEMORY, TCS_LIMIT. */
-enum tcs_status merge_shape_cost(const struct merge_plan *plan,
-	struct merge_pricing *pricing, struct removals *removals, double *cost,
+/* How far the shape is off, square metres times area, if all of it is seen: it
+   does not change while the parts are the same. Fails with TCS_NO_MEMORY,
+   TCS_LIMIT. */
+enum tcs_status merge_off(const struct merge_plan *plan,
+	struct merge_pricing *pricing, struct removals *removals, double *off,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/* How much of the parts is seen, or counts as if it were: at least that where
+   nobody has looked yet. */
+double merge_seen_share(
+	const struct merge_plan *plan, const struct removals *removals);
 
 /* What the parts have cost so far is no more to be paid. */
 double merge_paid(

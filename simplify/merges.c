@@ -116,34 +116,57 @@ postpone(struct merges *merges, struct queue_entry own)
 
 /* ---- the price ----------------------------------------------------------- */
 
-/* Of what is planned; INFINITY if it must not be. What it would be if nothing
-   broke is known before anything is looked for. */
+/* Faces that the plan saves. */
+static double
+saved_by(const struct merge_plan *plan)
+{
+	return (double)plan->faces.count -
+		PRISM_TRIANGLES_OF(plan->prism.sides);
+}
+
+/* Of what is planned, with what breaks; less than that while nobody has looked
+   how much of it is seen. */
+static double
+price_with(const struct merges *merges, struct merge_known *known, double harm)
+{
+	const struct merge_plan *plan = &merges->plan;
+	const struct removals *removals = merges->removals;
+	double paid = merge_paid(plan, &merges->pricing);
+
+	known->shape = merge_seen_share(plan, removals) * known->off;
+	return (fmax(known->shape - paid, 0) + harm * removals->contact_cost) /
+		(0.5 * saved_by(plan));
+}
+
+/* Of what is planned; INFINITY if it must not be. What is dearer than it seemed
+   before all has been looked for is not looked at closer. */
 static enum tcs_status
 price_of(struct merges *merges, uint32_t number, double seemed, double *price,
 	struct tcs_fault *fault)
 {
 	const struct merge_plan *plan = &merges->plan;
 	struct merge_known *known = &merges->known.at[number];
-	double saved = (double)plan->faces.count -
-		PRISM_TRIANGLES_OF(plan->prism.sides);
 	enum tcs_status status = TCS_OK;
-	double harm = 0, shape;
+	double harm = 0;
 	bool fine = true;
 
-	if (known->shape < 0)
-		status = merge_shape_cost(plan, &merges->pricing,
-			merges->removals, &known->shape, fault);
+	if (known->off < 0)
+		status = merge_off(plan, &merges->pricing, merges->removals,
+			&known->off, fault);
 	if (status)
 		return status;
-	shape = fmax(known->shape - merge_paid(plan, &merges->pricing), 0);
-	*price = shape / (0.5 * saved);
+	*price = price_with(merges, known, 0);
+	if (*price > seemed)
+		return TCS_OK;
+	status = removals_look(merges->removals, fault);
+	if (status)
+		return status;
+	*price = price_with(merges, known, 0);
 	if (*price > seemed)
 		return TCS_OK;
 	status = merge_harm(
 		plan, &merges->pricing, merges->removals, &harm, &fine, fault);
-	*price = fine ? (shape + harm * merges->removals->contact_cost) /
-			(0.5 * saved)
-		      : INFINITY;
+	*price = fine ? price_with(merges, known, harm) : INFINITY;
 	return status;
 }
 
@@ -169,14 +192,12 @@ enum tcs_status
 merges_try(struct merges *merges, struct tcs_fault *fault)
 {
 	struct queue_entry first = *node_queue_first(&merges->queue);
-	enum tcs_status status = removals_look(merges->removals, fault);
 	double price = INFINITY;
 	bool fine = false;
+	enum tcs_status status = merge_plan_make(&merges->plan, merges->work,
+		merges->removals, &merges->groups, first.node,
+		&merges->known.at[first.node], &fine, fault);
 
-	if (!status)
-		status = merge_plan_make(&merges->plan, merges->work,
-			merges->removals, &merges->groups, first.node,
-			&merges->known.at[first.node], &fine, fault);
 	if (!status && fine && saves_too_much(merges)) {
 		postpone(merges, first);
 		return TCS_OK;
