@@ -4,7 +4,7 @@
 
 struct build {
 	struct merge_builder *scratch;
-	const struct merge_plan *plan;
+	struct merge_plan *plan;
 	struct collapses *work;
 	struct removals *removals;
 };
@@ -96,7 +96,7 @@ put_prism(const struct build *build, struct tcs_fault *fault)
 }
 
 enum tcs_status
-merge_build(struct merge_builder *builder, const struct merge_plan *plan,
+merge_build(struct merge_builder *builder, struct merge_plan *plan,
 	struct component_set *set, struct collapses *work,
 	struct removals *removals, struct tcs_fault *fault)
 {
@@ -108,6 +108,7 @@ merge_build(struct merge_builder *builder, const struct merge_plan *plan,
 
 	for (unsigned i = 0; i < 2 * plan->prism.sides; i++)
 		component_set_enlarge(set, component, plan->prism.corners[i]);
+	merge_plan_choose_models(plan, work, &removals->parts);
 	status = put_prism(&build, fault);
 	return status ? status : join_parts(&build, fault);
 }

@@ -17,7 +17,7 @@ struct merge_builder {
  * with TCS_NO_MEMORY.
  */
 enum tcs_status merge_build(struct merge_builder *builder,
-	const struct merge_plan *plan, struct component_set *set,
+	struct merge_plan *plan, struct component_set *set,
 	struct collapses *work, struct removals *removals,
 	struct tcs_fault *fault) TCS_CHECKED;
 

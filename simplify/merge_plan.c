@@ -9,6 +9,9 @@ enum { MOST_FACES = 1 << 14 };
 /* Axes that are tried. */
 enum { MOST_AXES = 3 };
 
+/* Points: among so many it is looked whether one is listed already. */
+enum { LATELY = 16 };
+
 /* Another axis has to save as much of the volume. */
 #define BETTER_VOLUME 0.99
 
@@ -183,6 +186,24 @@ list_vertices(struct merge_plan *plan, struct collapses *work,
 
 /* ---- the prism ----------------------------------------------------------- */
 
+/* Neighbouring faces share corners: what has just been listed need not be again. */
+static void
+list_point(struct merge_plan *plan, struct tcs_point point)
+{
+	size_t count = plan->points.count;
+	size_t begin = count > LATELY ? count - LATELY : 0;
+
+	for (size_t i = count; i-- > begin;) {
+		struct tcs_point there = plan->points.at[i];
+
+		if (!(there.x < point.x || there.x > point.x ||
+			    there.y < point.y || there.y > point.y ||
+			    there.z < point.z || there.z > point.z))
+			return;
+	}
+	plan->points.at[plan->points.count++] = point;
+}
+
 /* Where everything was, and which way its faces looked. */
 static enum tcs_status
 list_points(struct merge_plan *plan, const struct collapses *work,
@@ -205,8 +226,7 @@ list_points(struct merge_plan *plan, const struct collapses *work,
 			double size = vector_length(normal);
 
 			for (int c = 0; c < 3; c++)
-				plan->points.at[plan->points.count++] =
-					shape.corner[c];
+				list_point(plan, shape.corner[c]);
 			if (size > 0)
 				face_directions_add(directions,
 					vector_scaled(normal, 1 / size),
@@ -303,19 +323,13 @@ find_model(const struct merge_plan *plan, const struct collapses *work,
 	return best;
 }
 
-/* Triangles in one plane with the one before look like it. */
 static void
-fill_in(struct merge_plan *plan, const struct collapses *work,
-	const struct parts *parts)
+fill_in(struct merge_plan *plan)
 {
-	struct tcs_point last = {0};
-
 	for (unsigned i = 0; i < PRISM_TRIANGLES_OF(plan->prism.sides); i++) {
 		struct triangle_shape shape = prism_shape(&plan->prism, i);
-		struct tcs_point normal = triangle_normal(&shape);
 		unsigned corners[3];
 
-		normal = vector_scaled(normal, 1 / vector_length(normal));
 		prism_triangle(&plan->prism, i, corners);
 		for (unsigned k = 0; k < 3; k++) {
 			plan->corners[3 * i + k] =
@@ -323,6 +337,21 @@ fill_in(struct merge_plan *plan, const struct collapses *work,
 			plan->places[3 * i + k] = shape.corner[k];
 		}
 		plan->numbers[i] = plan->slots.at[i];
+	}
+}
+
+/* Triangles in one plane with the one before look like it. */
+void
+merge_plan_choose_models(struct merge_plan *plan, const struct collapses *work,
+	const struct parts *parts)
+{
+	struct tcs_point last = {0};
+
+	for (unsigned i = 0; i < PRISM_TRIANGLES_OF(plan->prism.sides); i++) {
+		struct triangle_shape shape = prism_shape(&plan->prism, i);
+		struct tcs_point normal = triangle_normal(&shape);
+
+		normal = vector_scaled(normal, 1 / vector_length(normal));
 		plan->models[i] = i > 0 && vector_dot(normal, last) > 1 - 1e-9
 			? plan->models[i - 1]
 			: find_model(plan, work, parts, normal);
@@ -452,7 +481,7 @@ merge_plan_make(struct merge_plan *plan, struct collapses *work,
 		return status;
 	add_up(plan, removals);
 	plan->host = parts->numbers.at[plan->slots.at[0]];
-	fill_in(plan, work, parts);
+	fill_in(plan);
 	return TCS_OK;
 }
 
@@ -511,7 +540,7 @@ merge_plan_panel(struct merge_plan *plan, struct collapses *work,
 		return status;
 	add_up(plan, removals);
 	plan->host = parts->numbers.at[plan->slots.at[0]];
-	fill_in(plan, work, parts);
+	fill_in(plan);
 	return TCS_OK;
 }
 

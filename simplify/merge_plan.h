@@ -62,6 +62,11 @@ enum tcs_status merge_plan_panel(struct merge_plan *plan,
 	double low, double high, bool *fine,
 	struct tcs_fault *fault) TCS_CHECKED;
 
+/* Choose what the triangles of a plan continue, before it is built. */
+void merge_plan_choose_models(struct merge_plan *plan,
+	const struct collapses *work, const struct parts *parts);
+
+/* What takes the place of what. */
 struct refill merge_plan_refill(const struct merge_plan *plan);
 
 void merge_plan_release(struct merge_plan *plan);

@@ -50,26 +50,65 @@ sample_of(const struct triangle_shape *shape, unsigned fine, unsigned number)
 		vector_difference(shape->corner[2], shape->corner[0]), v);
 }
 
-/* From what the parts came with, without one of them. */
+/* From what one of the parts came with, if that is less than `least`. */
+static enum tcs_status
+distance_to_part(struct removals *removals, uint32_t part,
+	struct tcs_point from, double *least, struct tcs_fault *fault)
+{
+	const struct box *box = &removals->parts.at.at[part].box;
+	double distance = INFINITY;
+	enum tcs_status status;
+
+	if (!(box_distance_squared(box, from) < *least * *least))
+		return TCS_OK;
+	status = removals_distance(
+		removals, part, from, *least, &distance, fault);
+	*least = fmin(*least, distance);
+	return status;
+}
+
+/* From what all of them came with. What was nearest to the last point mostly is
+   near to the next, so that comes first. */
 static enum tcs_status
 distance_to_parts(const struct merge_plan *plan, struct removals *removals,
-	uint32_t without, struct tcs_point from, double reach, double *least,
+	struct tcs_point from, size_t *nearest, double *least,
+	struct tcs_fault *fault)
+{
+	const uint32_t *parts = plan->parts.at;
+	size_t first = *nearest;
+	enum tcs_status status;
+
+	*least = INFINITY;
+	status = distance_to_part(removals, parts[first], from, least, fault);
+	for (size_t i = 0; !status && i < plan->parts.count; i++) {
+		double before = *least;
+
+		if (i == first)
+			continue;
+		status = distance_to_part(
+			removals, parts[i], from, least, fault);
+		if (*least < before)
+			*nearest = i;
+	}
+	return status;
+}
+
+/* Whether another part touches a point. */
+static enum tcs_status
+is_hidden(const struct merge_plan *plan, struct removals *removals,
+	uint32_t part, struct tcs_point from, bool *hidden,
 	struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
 
-	*least = reach;
-	for (size_t i = 0; !status && i < plan->parts.count; i++) {
-		uint32_t part = plan->parts.at[i];
-		double distance = INFINITY;
+	*hidden = false;
+	for (size_t i = 0; !status && !*hidden && i < plan->parts.count; i++) {
+		double near = removals->reach;
 
-		if (part == without ||
-			!(box_distance_squared(&removals->parts.at.at[part].box,
-				  from) < *least * *least))
-			continue;
-		status = removals_distance(
-			removals, part, from, *least, &distance, fault);
-		*least = fmin(*least, distance);
+		if (plan->parts.at[i] != part)
+			status = distance_to_part(removals, plan->parts.at[i],
+				from, &near, fault);
+		*hidden = near < removals->reach;
 	}
 	return status;
 }
@@ -81,6 +120,7 @@ prism_off(const struct merge_plan *plan, struct removals *removals, double *sum,
 {
 	unsigned count = PRISM_TRIANGLES_OF(plan->prism.sides);
 	enum tcs_status status = TCS_OK;
+	size_t nearest = 0;
 	double all = 0;
 
 	*sum = 0;
@@ -95,8 +135,8 @@ prism_off(const struct merge_plan *plan, struct removals *removals, double *sum,
 		unsigned fine = fineness(area, all);
 
 		for (unsigned k = 0; !status && k < fine * fine; k++) {
-			status = distance_to_parts(plan, removals, TCS_NONE,
-				sample_of(&shape, fine, k), INFINITY, &off,
+			status = distance_to_parts(plan, removals,
+				sample_of(&shape, fine, k), &nearest, &off,
 				fault);
 			*sum += area / (fine * fine) *
 				removals_steep(removals, off);
@@ -129,12 +169,12 @@ face_off(const struct merge_plan *plan, struct removals *removals,
 	for (unsigned i = 0; !status && i < fine * fine; i++) {
 		struct tcs_point from = sample_of(&shape, fine, i);
 		double off = fabs(prism_height(&plan->prism, from));
-		double near = INFINITY;
+		bool hidden = false;
 
 		if (off >= LEAST_OFF)
-			status = distance_to_parts(plan, removals, part, from,
-				removals->reach, &near, fault);
-		if (near < removals->reach)
+			status = is_hidden(
+				plan, removals, part, from, &hidden, fault);
+		if (hidden)
 			continue;
 		gap->exposed += share;
 		if (off >= LEAST_OFF)
@@ -182,6 +222,7 @@ parts_off(const struct merge_plan *plan, struct merge_pricing *pricing,
 struct window {
 	struct tcs_point origin, x, y; /* sides of one square */
 	bool covered[GRID][GRID];
+	unsigned left; /* that are not */
 };
 
 static struct window
@@ -192,7 +233,7 @@ window_of(const struct prism *prism)
 	struct tcs_point x = vector_scaled(side, 1 / vector_length(side));
 	struct tcs_point y = vector_cross(prism->axis, x);
 	double low[2] = {0, 0}, high[2] = {0, 0};
-	struct window window = {0};
+	struct window window = {.left = GRID * GRID};
 
 	for (unsigned i = 0; i < prism->sides; i++) {
 		struct tcs_point at =
@@ -219,14 +260,52 @@ middle_of(const struct window *window, int row, int column)
 		window->y, row + 0.5);
 }
 
+/* A triangle as lines along the axis meet it. */
+struct shade {
+	struct tcs_point corner, side, across;
+	double determinant;
+};
+
+static struct shade
+shade_of(const struct triangle_shape *shape, struct tcs_point axis)
+{
+	struct tcs_point a = shape->corner[0];
+	struct tcs_point side = vector_difference(shape->corner[1], a);
+	struct tcs_point across =
+		vector_cross(axis, vector_difference(shape->corner[2], a));
+
+	return (struct shade){a, side, across, vector_dot(side, across)};
+}
+
+/*
+ * Whether the line through a point meets it.
+ *
+ * source: T. Moeller, B. Trumbore, Fast, minimum storage ray-triangle
+ * intersection, 1997.
+ */
+static bool
+is_in_shade(const struct shade *shade, struct tcs_point axis,
+	struct tcs_point point)
+{
+	struct tcs_point from = vector_difference(point, shade->corner);
+	double u = vector_dot(from, shade->across) / shade->determinant;
+	double v = vector_dot(axis, vector_cross(from, shade->side)) /
+		shade->determinant;
+
+	return u >= 0 && v >= 0 && 1 - u - v >= 0;
+}
+
 static void
 cover(struct window *window, const struct triangle_shape *shape,
 	struct tcs_point axis)
 {
+	struct shade shade = shade_of(shape, axis);
 	double sizes[2] = {vector_dot(window->x, window->x),
 		vector_dot(window->y, window->y)};
 	double low[2] = {GRID, GRID}, high[2] = {0, 0};
 
+	if (!(fabs(shade.determinant) > 0))
+		return;
 	for (int k = 0; k < 3; k++) {
 		struct tcs_point at =
 			vector_difference(shape->corner[k], window->origin);
@@ -241,12 +320,12 @@ cover(struct window *window, const struct triangle_shape *shape,
 	for (int row = (int)low[1]; row < (int)high[1]; row++)
 		for (int column = (int)low[0]; column < (int)high[0];
 			column++) {
-			double t, margin;
-
-			if (!window->covered[row][column])
-				window->covered[row][column] = triangle_hit(
-					shape, middle_of(window, row, column),
-					axis, &t, &margin);
+			if (window->covered[row][column] ||
+				!is_in_shade(&shade, axis,
+					middle_of(window, row, column)))
+				continue;
+			window->covered[row][column] = true;
+			window->left--;
 		}
 }
 
@@ -276,7 +355,7 @@ merge_open_area(const struct merge_plan *plan, const struct removals *removals)
 	for (size_t i = 0; i < plan->parts.count; i++) {
 		const struct part *own = &parts->at.at[plan->parts.at[i]];
 
-		for (uint32_t k = 0; k < own->count; k++) {
+		for (uint32_t k = 0; window.left > 0 && k < own->count; k++) {
 			uint32_t face = parts->faces.at[own->first + k];
 			struct triangle_shape shape =
 				component_set_shape(work->set,
@@ -285,7 +364,7 @@ merge_open_area(const struct merge_plan *plan, const struct removals *removals)
 			cover(&window, &shape, plan->prism.axis);
 		}
 	}
-	for (int row = 0; row < GRID; row++)
+	for (int row = 0; window.left > 0 && row < GRID; row++)
 		for (int column = 0; column < GRID; column++)
 			open += !window.covered[row][column] &&
 				is_in_outline(&plan->prism,

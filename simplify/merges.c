@@ -175,7 +175,7 @@ price_of(struct merges *merges, uint32_t number, double seemed, double *price,
 static enum tcs_status
 merge(struct merges *merges, uint32_t number, struct tcs_fault *fault)
 {
-	const struct merge_plan *plan = &merges->plan;
+	struct merge_plan *plan = &merges->plan;
 	uint32_t feature = merges->work->features.at[plan->faces.at[0]];
 
 	node_queue_set(&merges->queue, number, INFINITY);
