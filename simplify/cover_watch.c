@@ -5,6 +5,9 @@
 #include "collapses.h"
 #include "number_sort.h"
 
+/* So much farther away, squared, is farther however it is rounded. */
+#define SAFE (1 + 1e-6)
+
 /* ---- who has which contacts ---------------------------------------------- */
 
 /* Count, then place. */
@@ -73,31 +76,58 @@ list_number(struct cover_watch *watch, uint32_t number, struct tcs_fault *fault)
 static void
 keep_each_once(struct cover_watch *watch)
 {
-	uint32_t *at = watch->losing.at;
-	size_t kept = 0;
+	watch->losing.count =
+		number_sort_once(watch->losing.at, watch->losing.count);
+}
 
-	number_sort(at, watch->losing.count);
-	for (size_t i = 0; i < watch->losing.count; i++)
-		if (i == 0 || at[i] != at[kept - 1])
-			at[kept++] = at[i];
-	watch->losing.count = kept;
+/* Whether the cover that was begun has it. */
+static bool
+has_component(const struct cover_watch *watch, uint32_t component)
+{
+	const struct cover *cover = &watch->at.at[watch->at.count - 1];
+
+	for (uint32_t i = 0; i < cover->count; i++)
+		if (watch->covered.at[cover->first + i].component == component)
+			return true;
+	return false;
+}
+
+static enum tcs_status
+put_covered(struct cover_watch *watch, const struct covered *own,
+	struct tcs_fault *fault)
+{
+	if (array_grow(&watch->covered, 1))
+		return fault_memory(fault);
+	watch->covered.at[watch->covered.count++] = *own;
+	watch->at.at[watch->at.count - 1].count++;
+	return TCS_OK;
 }
 
 enum tcs_status
 cover_watch_put(
-	struct cover_watch *watch, uint32_t component, struct tcs_fault *fault)
+	struct collapses *work, uint32_t component, struct tcs_fault *fault)
 {
-	struct cover *cover = &watch->at.at[watch->at.count - 1];
+	struct cover_watch *watch = &work->covers;
+	const struct component_set *set = work->set;
+	const struct component *own = &set->components.at[component];
+	size_t first = watch->points.count, count = 3 * (size_t)own->count;
 
-	for (uint32_t i = 0; i < cover->count; i++)
-		if (watch->covered.at[cover->first + i].component == component)
-			return TCS_OK;
-	if (array_grow(&watch->covered, 1))
+	if (has_component(watch, component))
+		return TCS_OK;
+	if (array_grow(&watch->points, count))
 		return fault_memory(fault);
-	watch->covered.at[watch->covered.count++] =
-		(struct covered){component, false};
-	cover->count++;
-	return TCS_OK;
+	for (size_t i = 0; i < count; i++) {
+		uint32_t triangle = set->order.at[own->first + i / 3];
+
+		watch->points.at[first + i] =
+			set->triangles.at[triangle].corner[i % 3];
+	}
+	count = number_sort_once(watch->points.at + first, count);
+	watch->points.count += count;
+	return put_covered(watch,
+		&(struct covered){
+			component, (uint32_t)first, (uint32_t)count, false},
+		fault);
 }
 
 /* What was in the covers that are listed. */
@@ -112,9 +142,8 @@ take_over(struct cover_watch *watch, struct tcs_fault *fault)
 		for (uint32_t k = 0; !status && k < from.count; k++) {
 			struct covered own = watch->covered.at[from.first + k];
 
-			if (!own.bare)
-				status = cover_watch_put(
-					watch, own.component, fault);
+			if (!own.bare && !has_component(watch, own.component))
+				status = put_covered(watch, &own, fault);
 		}
 	}
 	return status;
@@ -202,36 +231,50 @@ in_ring(const struct collapses *work, uint32_t face)
 	return NULL;
 }
 
-/* Where anything changes: the ring as it is and as it will be. */
+/* Where anything of a cover changes: the ring as it is and as it will be. */
+static struct box
+changed_of(const struct collapses *work, uint32_t number, uint32_t node)
+{
+	struct box changed = BOX_EMPTY;
+
+	box_add_point(&changed, work->positions.at[node]);
+	for (size_t i = 0; i < work->ring.count; i++) {
+		const struct ring_face *next = &work->ring.at[i];
+
+		for (int k = 0;
+			k < 3 && work->covers.numbers.at[next->face] == number;
+			k++)
+			box_add_point(&changed, next->shape.corner[k]);
+	}
+	return changed;
+}
+
+/* The faces of a cover as they will be. */
 static enum tcs_status
 list_shapes(struct collapses *work, const struct cover *cover, uint32_t node,
-	struct box *changed, struct tcs_fault *fault)
+	struct tcs_fault *fault)
 {
 	struct cover_watch *watch = &work->covers;
 
 	watch->shapes.count = 0;
 	if (array_grow(&watch->shapes, cover->face_count))
 		return fault_memory(fault);
-	*changed = BOX_EMPTY;
-	box_add_point(changed, work->positions.at[node]);
 	for (uint32_t i = 0; i < cover->face_count; i++) {
 		uint32_t face = watch->faces.at[cover->first_face + i];
 		const struct ring_face *next = in_ring(work, face);
 		struct triangle_shape shape;
 		uint32_t nodes[3];
 
-		if (!collapses_face(work, face, nodes))
+		if (!collapses_face(work, face, nodes) ||
+			(!next &&
+				(nodes[0] == node || nodes[1] == node ||
+					nodes[2] == node)))
 			continue;
 		for (int k = 0; k < 3; k++)
-			shape.corner[k] = work->positions.at[nodes[k]];
-		if (next)
-			shape = next->shape;
-		for (int k = 0; next && k < 3; k++)
-			box_add_point(changed, shape.corner[k]);
-		if (next ||
-			(nodes[0] != node && nodes[1] != node &&
-				nodes[2] != node))
-			watch->shapes.at[watch->shapes.count++] = shape;
+			shape.corner[k] = next ? next->shape.corner[k]
+					       : work->positions.at[nodes[k]];
+		watch->shapes.at[watch->shapes.count++] =
+			(struct cover_face){shape, triangle_normal(&shape)};
 	}
 	return TCS_OK;
 }
@@ -257,41 +300,50 @@ angle_of(const struct triangle_shape *shape, struct tcs_point from)
 				vector_dot(a, c) * lb + vector_dot(b, c) * la);
 }
 
+/* Whether a point is hardly off a face; its plane may be farther already. */
+static bool
+is_near(const struct cover_face *face, struct tcs_point point, double reach)
+{
+	double height = vector_dot(
+		face->normal, vector_difference(point, face->shape.corner[0]));
+	struct tcs_point there;
+
+	if (height * height >
+		SAFE * reach * reach * vector_dot(face->normal, face->normal))
+		return false;
+	there = triangle_nearest_along(&face->shape, face->normal, point);
+	return vector_length(vector_difference(there, point)) <= reach;
+}
+
 /* Whether a point is in the shapes, or hardly out of them. */
 static bool
 is_in(const struct cover_watch *watch, struct tcs_point point)
 {
 	double angle = 0;
 
-	for (size_t i = 0; i < watch->shapes.count; i++) {
-		const struct triangle_shape *shape = &watch->shapes.at[i];
-
-		if (vector_length(vector_difference(
-			    triangle_nearest(shape, point), point)) <=
-			watch->reach)
+	for (size_t i = 0; i < watch->shapes.count; i++)
+		if (is_near(&watch->shapes.at[i], point, watch->reach))
 			return true;
-		angle += angle_of(shape, point);
-	}
+	for (size_t i = 0; i < watch->shapes.count; i++)
+		angle += angle_of(&watch->shapes.at[i].shape, point);
 	return fabs(angle) > 2 * acos(-1);
 }
 
 static bool
-comes_out(const struct collapses *work, uint32_t number,
+comes_out(const struct collapses *work, const struct covered *own,
 	const struct box *changed)
 {
 	const struct cover_watch *watch = &work->covers;
-	const struct component *own = &work->set->components.at[number];
 
-	for (uint32_t i = 0; i < own->count; i++) {
-		uint32_t triangle = work->set->order.at[own->first + i];
-		struct triangle_shape shape =
-			component_set_shape(work->set, triangle);
+	for (uint32_t i = 0; i < own->point_count; i++) {
+		struct tcs_point point =
+			work->set->points
+				.at[watch->points.at[own->first_point + i]];
 
-		for (int k = 0; k < 3; k++)
-			if (box_distance_squared(changed, shape.corner[k]) <=
-					watch->reach * watch->reach &&
-				!is_in(watch, shape.corner[k]))
-				return true;
+		if (box_distance_squared(changed, point) <=
+				watch->reach * watch->reach &&
+			!is_in(watch, point))
+			return true;
 	}
 	return false;
 }
@@ -340,6 +392,18 @@ list_losing(struct cover_watch *watch, struct tcs_fault *fault)
 	return status;
 }
 
+/* Whether what changes is where a component was. */
+static bool
+is_beside(const struct collapses *work, const struct covered *own,
+	const struct box *changed)
+{
+	const struct cover_watch *watch = &work->covers;
+
+	return box_gap_squared(changed,
+		       &work->set->components.at[own->component].box) <=
+		SAFE * watch->reach * watch->reach;
+}
+
 /* List what comes out of one cover. */
 static enum tcs_status
 look_at(struct collapses *work, uint32_t number, uint32_t node,
@@ -347,15 +411,20 @@ look_at(struct collapses *work, uint32_t number, uint32_t node,
 {
 	struct cover_watch *watch = &work->covers;
 	const struct cover *cover = &watch->at.at[number];
-	struct box changed;
-	enum tcs_status status =
-		list_shapes(work, cover, node, &changed, fault);
+	struct box changed = changed_of(work, number, node);
+	enum tcs_status status = TCS_OK;
+	bool listed = false;
 
 	for (uint32_t i = cover->first;
 		!status && i < cover->first + cover->count; i++) {
-		if (watch->covered.at[i].bare ||
-			!comes_out(
-				work, watch->covered.at[i].component, &changed))
+		const struct covered *own = &watch->covered.at[i];
+
+		if (own->bare || !is_beside(work, own, &changed))
+			continue;
+		if (!listed)
+			status = list_shapes(work, cover, node, fault);
+		listed = true;
+		if (status || !comes_out(work, own, &changed))
 			continue;
 		if (array_grow(&watch->coming, 1))
 			return fault_memory(fault);
@@ -484,6 +553,7 @@ cover_watch_clear(struct cover_watch *watch)
 	array_clear(&watch->at);
 	array_clear(&watch->faces);
 	array_clear(&watch->covered);
+	array_clear(&watch->points);
 	array_clear(&watch->numbers);
 	array_clear(&watch->first);
 	array_clear(&watch->contacts);
@@ -498,6 +568,7 @@ cover_watch_release(struct cover_watch *watch)
 	array_release(&watch->at);
 	array_release(&watch->faces);
 	array_release(&watch->covered);
+	array_release(&watch->points);
 	array_release(&watch->numbers);
 	array_release(&watch->first);
 	array_release(&watch->contacts);

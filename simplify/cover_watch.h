@@ -20,7 +20,14 @@ struct refill;
 /* A component in a prism. */
 struct covered {
 	uint32_t component;
+	uint32_t first_point, point_count; /* of `points`: its own, each once */
 	bool bare; /* it has come out */
+};
+
+/* A face of a cover as it will be. */
+struct cover_face {
+	struct triangle_shape shape;
+	struct tcs_point normal; /* twice the area long */
 };
 
 /* A solid and what is in it. */
@@ -37,12 +44,12 @@ struct cover_watch {
 	TCS_ARRAY(struct cover) at;
 	TCS_ARRAY(uint32_t) faces;
 	TCS_ARRAY(struct covered) covered;
+	TCS_ARRAY(uint32_t) points; /* of the set */
 	TCS_ARRAY(uint32_t) numbers; /* per face: its cover; TCS_NONE */
 	TCS_ARRAY(uint32_t) first; /* per component, and one more: */
 	TCS_ARRAY(uint32_t) contacts; /* its run of contacts */
 	TCS_ARRAY(bool) lost; /* per contact: it was paid for */
-	TCS_ARRAY(struct triangle_shape)
-	shapes; /* scratch: one, as it will be */
+	TCS_ARRAY(struct cover_face) shapes; /* scratch: one cover */
 	TCS_ARRAY(uint32_t) coming; /* scratch: which of `covered` come out */
 	TCS_ARRAY(uint32_t) losing; /* scratch: contacts, or components */
 };
@@ -59,7 +66,7 @@ enum tcs_status cover_watch_open(struct collapses *work,
 	size_t count, struct tcs_fault *fault) TCS_CHECKED;
 
 /* A component that is in the cover that was begun. Fails with TCS_NO_MEMORY. */
-enum tcs_status cover_watch_put(struct cover_watch *watch, uint32_t component,
+enum tcs_status cover_watch_put(struct collapses *work, uint32_t component,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /* These faces are the cover that was begun, those that are left of them. What is

@@ -244,7 +244,7 @@ begin_cover(struct handles *handles, uint32_t host, struct tcs_fault *fault)
 		parts->faces.at + own->first, own->count, fault);
 
 	if (!status && parts->left.at[own->component] == 1)
-		status = cover_watch_put(&work->covers, own->component, fault);
+		status = cover_watch_put(work, own->component, fault);
 	return status;
 }
 
@@ -277,7 +277,7 @@ become_one(struct handles *handles, uint32_t number, struct tcs_fault *fault)
 
 	if (status || !own->gone || removals->parts.left.at[own->component] > 0)
 		return status;
-	return cover_watch_put(&handles->work->covers, own->component, fault);
+	return cover_watch_put(handles->work, own->component, fault);
 }
 
 /* What stood in a hole is enclosed now, and has become one with what closes it,

@@ -73,7 +73,7 @@ cover_components(const struct build *build, struct tcs_fault *fault)
 			at[kept++] = own;
 	}
 	for (size_t i = 0; !status && kept > 1 && i < kept; i++)
-		status = cover_watch_put(&build->work->covers, at[i], fault);
+		status = cover_watch_put(build->work, at[i], fault);
 	return status;
 }
 

@@ -17,17 +17,10 @@ enum { LATELY = 16 };
 
 /* ---- the parts ----------------------------------------------------------- */
 
-/* In order, each once. */
 static void
 sort_parts(struct merge_plan *plan)
 {
-	size_t kept = 0;
-
-	number_sort(plan->parts.at, plan->parts.count);
-	for (size_t i = 0; i < plan->parts.count; i++)
-		if (i == 0 || plan->parts.at[i] != plan->parts.at[kept - 1])
-			plan->parts.at[kept++] = plan->parts.at[i];
-	plan->parts.count = kept;
+	plan->parts.count = number_sort_once(plan->parts.at, plan->parts.count);
 }
 
 /* Those that the parts of the group are in by now; one that was drawn out is not

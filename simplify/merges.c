@@ -216,16 +216,10 @@ merges_try(struct merges *merges, struct tcs_fault *fault)
 size_t
 merges_features(struct merges *merges, const uint32_t **features)
 {
-	uint32_t *at = merges->features.at;
-	size_t kept = 0;
-
-	number_sort(at, merges->features.count);
-	for (size_t i = 0; i < merges->features.count; i++)
-		if (i == 0 || at[i] != at[kept - 1])
-			at[kept++] = at[i];
-	merges->features.count = kept;
-	*features = at;
-	return kept;
+	merges->features.count =
+		number_sort_once(merges->features.at, merges->features.count);
+	*features = merges->features.at;
+	return merges->features.count;
 }
 
 void

@@ -25,6 +25,19 @@ number_sort(uint32_t *at, size_t count)
 		qsort(at, count, sizeof *at, number_order);
 }
 
+/* The same, each once; how many are left. */
+static inline size_t
+number_sort_once(uint32_t *at, size_t count)
+{
+	size_t kept = 0;
+
+	number_sort(at, count);
+	for (size_t i = 0; i < count; i++)
+		if (i == 0 || at[i] != at[kept - 1])
+			at[kept++] = at[i];
+	return kept;
+}
+
 /* Whether a sorted list has it. */
 static inline bool
 number_is_among(const uint32_t *at, size_t count, uint32_t number)
