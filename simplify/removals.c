@@ -137,6 +137,26 @@ distance_of(struct removals *removals, const struct part *own, double *distance,
 	return status;
 }
 
+/* Nothing that stays comes nearer: what was found out holds until something goes
+   that a part is linked to. */
+static enum tcs_status
+know_distance(struct removals *removals, uint32_t part, struct tcs_fault *fault)
+{
+	double distance;
+	enum tcs_status status;
+
+	if (removals->asked.at[part])
+		return TCS_OK;
+	status = distance_of(
+		removals, &removals->parts.at.at[part], &distance, fault);
+	if (status)
+		return status;
+	removals->asked.at[part] = true;
+	removals->distances.at[part] =
+		fmax(removals->distances.at[part], distance);
+	return TCS_OK;
+}
+
 /* ---- what breaks --------------------------------------------------------- */
 
 /* The contacts of the points that a part holds, and how many of each. */
@@ -390,15 +410,19 @@ make_room(struct removals *removals, struct tcs_fault *fault)
 
 	array_clear(&removals->held);
 	array_clear(&removals->roots);
+	array_clear(&removals->asked);
 	if (array_grow(&removals->distances, removals->parts.count) ||
+		array_grow(&removals->asked, removals->parts.count) ||
 		array_grow(&removals->roots, removals->parts.count) ||
 		array_grow(&removals->held, contacts))
 		return fault_memory(fault);
 	removals->held.count = contacts;
 	for (size_t i = 0; i < contacts; i++)
 		removals->held.at[i] = 0;
-	for (size_t i = 0; i < removals->parts.count; i++)
+	for (size_t i = 0; i < removals->parts.count; i++) {
 		removals->roots.at[i] = TCS_NONE;
+		removals->asked.at[i] = false;
+	}
 	return TCS_OK;
 }
 
@@ -462,6 +486,7 @@ judge_linked(struct removals *removals, uint32_t gone, struct tcs_fault *fault)
 	for (uint32_t i = 0; !status && i < own->link_count; i++) {
 		uint32_t other = parts->links.at[own->first_link + i];
 
+		removals->asked.at[other] = false;
 		if (!parts->at.at[other].gone &&
 			parts->at.at[other].link_count <= MOST_LINKS)
 			status = judge(removals, other, fault);
@@ -514,6 +539,7 @@ removals_join(struct removals *removals, const uint32_t *parts, size_t count,
 	}
 	removals->visible.at[host] = visible;
 	removals->distances.at[host] = removals->parts.at.at[host].depth;
+	removals->asked.at[host] = false;
 	removals->roots.at[host] = TCS_NONE;
 	return judge(removals, host, fault);
 }
@@ -523,16 +549,12 @@ removals_try(struct removals *removals, struct tcs_fault *fault)
 {
 	struct queue_entry first = *node_queue_first(&removals->queue);
 	enum tcs_status status = removals_look(removals, fault);
-	double distance, price;
+	double price;
 
 	if (!status)
-		status = distance_of(removals,
-			&removals->parts.at.at[first.node], &distance, fault);
-	if (status)
-		return status;
-	removals->distances.at[first.node] =
-		fmax(removals->distances.at[first.node], distance);
-	status = price_of(removals, first.node, &price, fault);
+		status = know_distance(removals, first.node, fault);
+	if (!status)
+		status = price_of(removals, first.node, &price, fault);
 	if (status)
 		return status;
 	if (price > first.cost) {
@@ -549,6 +571,7 @@ removals_release(struct removals *removals)
 	node_queue_release(&removals->queue);
 	array_release(&removals->visible);
 	array_release(&removals->distances);
+	array_release(&removals->asked);
 	triangle_tree_release(&removals->tree);
 	array_release(&removals->roots);
 	array_release(&removals->items);

@@ -34,8 +34,10 @@ struct removals {
 	struct node_queue queue; /* of parts, by their price */
 	/* Per part: square metres that are seen; empty while unknown. */
 	TCS_ARRAY(double) visible;
-	/* Per part: metres that its surface is from what stays, at least. */
+	/* Per part: metres that its surface is from what stays, at least; and
+	   whether it has been asked since that has changed. */
 	TCS_ARRAY(double) distances;
+	TCS_ARRAY(bool) asked;
 	struct triangle_tree tree; /* of parts that were asked for */
 	TCS_ARRAY(uint32_t) roots; /* per part: in the tree; TCS_NONE */
 	TCS_ARRAY(uint32_t) items; /* scratch: triangles of a part */

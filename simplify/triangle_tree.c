@@ -113,23 +113,38 @@ struct nearest {
 	double square; /* of its distance, or of the reach */
 };
 
+/* Whether the plane of a triangle is farther already, however it is rounded. */
+static bool
+is_beyond(const struct triangle_shape *shape, struct tcs_point normal,
+	const struct nearest *search)
+{
+	double height = vector_dot(
+		normal, vector_difference(search->from, shape->corner[0]));
+
+	return height * height >
+		1.000001 * search->square * vector_dot(normal, normal);
+}
+
 static void
 nearest_in_leaf(const struct triangle_tree *tree, const struct box_node *node,
 	struct nearest *search)
 {
 	for (uint32_t i = node->first; i < node->first + node->count; i++) {
 		const struct triangle_shape *shape = &tree->shapes.at[i];
-		struct tcs_point at = triangle_nearest(shape, search->from);
-		struct tcs_point way = vector_difference(at, search->from);
-		double square = vector_dot(way, way);
+		struct tcs_point normal = triangle_normal(shape), at, way;
+		double square;
 
+		if (is_beyond(shape, normal, search))
+			continue;
+		at = triangle_nearest_along(shape, normal, search->from);
+		way = vector_difference(at, search->from);
+		square = vector_dot(way, way);
 		if (square > search->square ||
 			(square == search->square &&
 				isfinite(search->hit.distance)))
 			continue;
 		if (search->facing &&
-			!(vector_dot(triangle_normal(shape), *search->facing) >
-				0))
+			!(vector_dot(normal, *search->facing) > 0))
 			continue;
 		search->square = square;
 		search->hit = (struct tree_hit){
