@@ -19,6 +19,9 @@ enum { GRID = 24 };
 /* Metres: what is nearer does not matter. */
 #define LEAST_OFF 1e-3
 
+/* Metres: no distance is rounded by more. */
+#define ROUNDING 1e-6
+
 /* ---- how far it is off --------------------------------------------------- */
 
 /* Into how many by how many parts a triangle is divided, so that all of an area
@@ -67,29 +70,37 @@ distance_to_part(struct removals *removals, uint32_t part,
 	return status;
 }
 
-/* From what all of them came with. What was nearest to the last point mostly is
-   near to the next, so that comes first. */
+/* The last point that was asked how far it is from the parts. */
+struct asked {
+	struct tcs_point from;
+	double off;
+	size_t nearest; /* of the parts */
+};
+
+/* From what all of them came with: no more than the last point's and the way from
+   there. What was nearest to that comes first. */
 static enum tcs_status
 distance_to_parts(const struct merge_plan *plan, struct removals *removals,
-	struct tcs_point from, size_t *nearest, double *least,
-	struct tcs_fault *fault)
+	struct tcs_point from, struct asked *last, struct tcs_fault *fault)
 {
 	const uint32_t *parts = plan->parts.at;
-	size_t first = *nearest;
-	enum tcs_status status;
+	double step = vector_length(vector_difference(from, last->from));
+	double least = last->off + step + ROUNDING;
+	size_t first = last->nearest;
+	enum tcs_status status =
+		distance_to_part(removals, parts[first], from, &least, fault);
 
-	*least = INFINITY;
-	status = distance_to_part(removals, parts[first], from, least, fault);
 	for (size_t i = 0; !status && i < plan->parts.count; i++) {
-		double before = *least;
+		double before = least;
 
-		if (i == first)
-			continue;
-		status = distance_to_part(
-			removals, parts[i], from, least, fault);
-		if (*least < before)
-			*nearest = i;
+		if (i != first)
+			status = distance_to_part(
+				removals, parts[i], from, &least, fault);
+		if (least < before)
+			last->nearest = i;
 	}
+	last->from = from;
+	last->off = least;
 	return status;
 }
 
@@ -120,7 +131,7 @@ prism_off(const struct merge_plan *plan, struct removals *removals, double *sum,
 {
 	unsigned count = PRISM_TRIANGLES_OF(plan->prism.sides);
 	enum tcs_status status = TCS_OK;
-	size_t nearest = 0;
+	struct asked last = {.off = INFINITY};
 	double all = 0;
 
 	*sum = 0;
@@ -131,15 +142,14 @@ prism_off(const struct merge_plan *plan, struct removals *removals, double *sum,
 	}
 	for (unsigned i = 0; !status && i < count; i++) {
 		struct triangle_shape shape = prism_shape(&plan->prism, i);
-		double area = triangle_area(&shape), off;
+		double area = triangle_area(&shape);
 		unsigned fine = fineness(area, all);
 
 		for (unsigned k = 0; !status && k < fine * fine; k++) {
 			status = distance_to_parts(plan, removals,
-				sample_of(&shape, fine, k), &nearest, &off,
-				fault);
+				sample_of(&shape, fine, k), &last, fault);
 			*sum += area / (fine * fine) *
-				removals_steep(removals, off);
+				removals_steep(removals, last.off);
 		}
 	}
 	return status;

@@ -87,6 +87,7 @@ struct walk_step {
 	double distance; /* of its box, squared; or where the ray enters */
 };
 
+/* The stack is large: what has not been put there is never set. */
 struct walk {
 	struct walk_step stack[BOX_TREE_STACK];
 	size_t height;
@@ -158,8 +159,9 @@ find_nearest(
 {
 	const struct box_node *nodes = tree->boxes.nodes.at;
 	struct tcs_point from = search->from;
-	struct walk walk = {.height = 1};
+	struct walk walk;
 
+	walk.height = 1;
 	walk.stack[0] = (struct walk_step){
 		root, box_distance_squared(&nodes[root].box, from)};
 	while (walk.height > 0) {
@@ -273,8 +275,9 @@ static void
 follow_ray(const struct triangle_tree *tree, uint32_t root, struct ray *ray)
 {
 	const struct box_node *nodes = tree->boxes.nodes.at;
-	struct walk walk = {.height = 1};
+	struct walk walk;
 
+	walk.height = 1;
 	walk.stack[0] = (struct walk_step){root, 0};
 	while (walk.height > 0) {
 		struct walk_step step = walk.stack[--walk.height];
@@ -419,9 +422,10 @@ triangle_tree_gap(const struct triangle_tree *tree, uint32_t a, uint32_t b,
 	double reach, double enough)
 {
 	const struct box_node *nodes = tree->boxes.nodes.at;
-	struct gap_walk walk = {
-		.height = 1, .best = {reach * reach, {.distance = INFINITY}}};
+	struct gap_walk walk;
 
+	walk.height = 1;
+	walk.best = (struct best_gap){reach * reach, {.distance = INFINITY}};
 	walk.stack[0] = gap_step_of(tree, a, b);
 	while (walk.height > 0 && walk.best.gap.distance > enough) {
 		struct gap_step step = walk.stack[--walk.height];
@@ -451,8 +455,9 @@ triangle_tree_gap_from(const struct triangle_tree *tree, uint32_t root,
 	struct best_gap best = {
 		.square = reach * reach, .gap = {.distance = INFINITY}};
 	struct box box = box_of(from);
-	struct walk walk = {.height = 1};
+	struct walk walk;
 
+	walk.height = 1;
 	walk.stack[0] = (struct walk_step){
 		root, box_gap_squared(&nodes[root].box, &box)};
 	while (walk.height > 0 && best.gap.distance > 0) {
