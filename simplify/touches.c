@@ -416,10 +416,12 @@ ask_edges(struct look *look, const struct float_box *other, ask *ask_one)
 		uint32_t asks = face_at(look, near->at[i])->asks;
 
 		for (uint32_t k = 0; !status && k < 3; k++) {
-			struct edge edge = edge_at(look, near->at[i], k);
+			struct edge edge;
 
-			if (asks >> k & TOUCH_EDGE &&
-				edge_is_near(&edge, other))
+			if (!(asks >> k & TOUCH_EDGE))
+				continue;
+			edge = edge_at(look, near->at[i], k);
+			if (edge_is_near(&edge, other))
 				status = ask_one(look, &edge);
 		}
 	}

@@ -45,44 +45,49 @@ square_distance(struct tcs_point a, struct tcs_point b)
 	return vector_dot(ab, ab);
 }
 
-/* In the coordinate plane that a normal is most upright on, seen from where it
-   points. */
-struct flat {
-	double x, y;
-};
-
-static inline struct flat
-flattened(struct tcs_point a, struct tcs_point normal)
-{
-	double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);
-
-	if (z >= x && z >= y)
-		return (struct flat){a.x, normal.z < 0 ? -a.y : a.y};
-	if (y >= x)
-		return (struct flat){a.z, normal.y < 0 ? -a.x : a.x};
-	return (struct flat){a.y, normal.x < 0 ? -a.z : a.z};
-}
-
+/* Whether a turns right into b, in a plane seen from where its normal points:
+   that is `up` there. */
 static inline bool
-turns_right(struct flat a, struct flat b)
+turns_right(const double a[2], const double b[2], double up)
 {
-	return a.x * b.y - a.y * b.x < 0;
+	double turn = a[0] * b[1] - a[1] * b[0];
+
+	return up < 0 ? turn > 0 : turn < 0;
 }
 
 /* A bit for each edge, from corner i to the next, that has a point of the plane
-   on its right. */
+   on its right; `u` and `v` are the axes across that which the normal is most
+   upright on. */
+static inline unsigned
+edges_left_across(const struct triangle_shape *t, struct tcs_point point,
+	size_t u, size_t v, double up)
+{
+	const double at[3] = {point.x, point.y, point.z};
+	double from[3][2];
+
+	for (int i = 0; i < 3; i++) {
+		const double corner[3] = {
+			t->corner[i].x, t->corner[i].y, t->corner[i].z};
+
+		from[i][0] = corner[u] - at[u];
+		from[i][1] = corner[v] - at[v];
+	}
+	return (unsigned)turns_right(from[0], from[1], up) |
+		(unsigned)turns_right(from[1], from[2], up) << 1 |
+		(unsigned)turns_right(from[2], from[0], up) << 2;
+}
+
 static inline unsigned
 edges_left_of(const struct triangle_shape *t, struct tcs_point normal,
 	struct tcs_point point)
 {
-	struct flat from[3];
+	double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);
 
-	for (int i = 0; i < 3; i++)
-		from[i] = flattened(
-			vector_difference(t->corner[i], point), normal);
-	return (unsigned)turns_right(from[0], from[1]) |
-		(unsigned)turns_right(from[1], from[2]) << 1 |
-		(unsigned)turns_right(from[2], from[0]) << 2;
+	if (z >= x && z >= y)
+		return edges_left_across(t, point, 0, 1, normal.z);
+	if (y >= x)
+		return edges_left_across(t, point, 2, 0, normal.y);
+	return edges_left_across(t, point, 1, 2, normal.x);
 }
 
 /* The point on the plane below another; `square` is the normal's, not 0. */
