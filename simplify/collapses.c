@@ -465,12 +465,18 @@ collapses_end(struct collapses *work)
 }
 
 void
-collapses_release(struct collapses *work)
+collapses_release_mesh(struct collapses *work)
 {
-	collapses_end(work);
 	half_edges_free(work->mesh);
 	work->mesh = NULL;
 	array_release(&work->positions);
+}
+
+void
+collapses_release(struct collapses *work)
+{
+	collapses_end(work);
+	collapses_release_mesh(work);
 	array_release(&work->fixed);
 	array_release(&work->features);
 	array_release(&work->sources);

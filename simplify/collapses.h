@@ -195,6 +195,10 @@ bool collapses_is_moved(const struct collapses *work, uint32_t node);
    positions and counts stay. */
 void collapses_end(struct collapses *work);
 
+/* The faces are taken, too: give back what they are and where. Their counts
+   stay. */
+void collapses_release_mesh(struct collapses *work);
+
 void collapses_release(struct collapses *work);
 
 /* ---- between the files of the simplifier ---------------------------------- */

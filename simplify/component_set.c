@@ -240,6 +240,7 @@ component_set_join(struct component_set *set, struct tcs_fault *fault)
 	weld_clear(&set->weld);
 	keep_points(set);
 	status = find_components(set, fault);
+	array_trim(&set->bodies);
 	if (!status)
 		status = list_triangles(set, fault);
 	if (status)

@@ -25,7 +25,8 @@ struct component_set {
 	struct weld weld; /* of the points, while triangles are put */
 	TCS_ARRAY(struct tcs_triangle) triangles;
 	TCS_ARRAY(uint32_t) features; /* of each triangle */
-	TCS_ARRAY(uint32_t) bodies; /* of each triangle; components.h */
+	/* Of each triangle, while they are put; components.h. */
+	TCS_ARRAY(uint32_t) bodies;
 	TCS_ARRAY(uint32_t) hosts; /* of each feature: what it bounds, or it */
 	TCS_ARRAY(uint32_t) numbers; /* the component of each triangle */
 	TCS_ARRAY(uint32_t) order; /* triangles, component by component */

@@ -11,20 +11,25 @@ place_nodes(struct lod_faces *faces, const struct tcs_object *from,
 	const struct sheets *sheets = work->sheets;
 
 	array_clear(&faces->places);
-	if (array_grow(&faces->places, sheets->node_count))
+	array_clear(&faces->moved);
+	if (array_grow(&faces->places, sheets->node_count) ||
+		array_grow(&faces->moved, sheets->node_count))
 		return fault_memory(fault);
-	faces->places.count = sheets->node_count;
+	faces->places.count = faces->moved.count = sheets->node_count;
 	for (size_t i = sheets->corners.count; i-- > 0;) {
 		uint32_t triangle = sheets->face_triangles.at[i / 3];
-		uint32_t vertex = source->vertices.at[triangle].corner[i % 3];
+		uint32_t vertex =
+			lod_source_vertices(source, from, triangle)[i % 3];
 
 		faces->places.at[node_of(work, sheets->corners.at[i])] =
 			from->vertices.at[vertex];
 	}
-	for (uint32_t i = 0; i < sheets->node_count; i++)
-		if (collapses_is_moved(work, i))
+	for (uint32_t i = 0; i < sheets->node_count; i++) {
+		faces->moved.at[i] = collapses_is_moved(work, i);
+		if (faces->moved.at[i])
 			faces->places.at[i] = frame_from_local(
 				&source->frame, work->positions.at[i]);
+	}
 	return TCS_OK;
 }
 
@@ -84,25 +89,18 @@ list_faces(struct lod_faces *faces, const struct lod_source *source,
 	bool sorted = true;
 
 	for (uint32_t i = 0; i < source->polygons.count; i++) {
-		uint32_t own = work->sheets->triangle_faces.at[i], nodes[3];
-		struct lod_face *face;
+		struct lod_face face = {
+			.face = work->sheets->triangle_faces.at[i]};
 
-		if (own == TCS_NONE || !collapses_face(work, own, nodes))
+		if (face.face == TCS_NONE ||
+			!collapses_face(work, face.face, face.nodes))
 			continue;
-		face = &faces->faces.at[faces->faces.count];
-		face->triangle = collapses_source(work, own);
-		face->polygon = polygons[face->triangle];
-		face->face = own;
-		face->surface = work->features.at[own];
-		sorted &= face->polygon >= last;
-		last = face->polygon;
-		for (int k = 0; k < 3; k++) {
-			face->corners[k] = faces->places.at[nodes[k]];
-			face->nodes[k] = collapses_is_moved(work, nodes[k])
-				? TCS_NONE
-				: nodes[k];
-		}
-		faces->faces.count++;
+		face.triangle = collapses_source(work, face.face);
+		face.polygon = polygons[face.triangle];
+		face.surface = work->features.at[face.face];
+		sorted &= face.polygon >= last;
+		last = face.polygon;
+		faces->faces.at[faces->faces.count++] = face;
 	}
 	return sorted;
 }
@@ -135,4 +133,5 @@ lod_faces_release(struct lod_faces *faces)
 	array_release(&faces->first);
 	array_release(&faces->samples);
 	array_release(&faces->places);
+	array_release(&faces->moved);
 }

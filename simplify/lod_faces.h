@@ -14,8 +14,7 @@ struct lod_face {
 	uint32_t triangle; /* of the source: the old one */
 	uint32_t face; /* of the mesh */
 	uint32_t surface; /* feature */
-	uint32_t nodes[3]; /* at the corners; TCS_NONE where one has moved */
-	struct tcs_point corners[3]; /* in stream coordinates */
+	uint32_t nodes[3]; /* at the corners */
 };
 
 /* All zero is empty; reused from object to object. */
@@ -24,7 +23,8 @@ struct lod_faces {
 	TCS_ARRAY(uint32_t) first; /* per polygon, and one more */
 	/* Per feature: the first triangle of the source that is its; TCS_NONE. */
 	TCS_ARRAY(uint32_t) samples;
-	TCS_ARRAY(struct tcs_point) places; /* scratch: per node */
+	TCS_ARRAY(struct tcs_point) places; /* per node: stream coordinates */
+	TCS_ARRAY(bool) moved; /* per node */
 };
 
 /* Take them. Fails with TCS_NO_MEMORY. */

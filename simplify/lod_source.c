@@ -9,7 +9,7 @@ clear(struct lod_source *source)
 {
 	component_set_clear(&source->set);
 	array_clear(&source->polygons);
-	array_clear(&source->vertices);
+	array_clear(&source->triangles);
 	array_clear(&source->homes);
 	byte_index_clear(&source->ids);
 	array_clear(&source->named);
@@ -48,7 +48,7 @@ take_polygon(struct lod_source *source, const struct tcs_object *object,
 		object->triangles.at + own->first_triangle;
 
 	if (array_grow(&source->polygons, own->triangle_count) ||
-		array_grow(&source->vertices, own->triangle_count))
+		array_grow(&source->triangles, own->triangle_count))
 		return fault_memory(fault);
 	for (uint32_t i = 0; i < own->triangle_count; i++) {
 		struct tcs_point corners[3];
@@ -62,7 +62,8 @@ take_polygon(struct lod_source *source, const struct tcs_object *object,
 		if (status)
 			return status;
 		source->polygons.at[source->polygons.count++] = polygon;
-		source->vertices.at[source->vertices.count++] = triangle[i];
+		source->triangles.at[source->triangles.count++] =
+			own->first_triangle + i;
 	}
 	return TCS_OK;
 }
@@ -123,7 +124,7 @@ lod_source_release(struct lod_source *source)
 	selection_release(&source->selection);
 	component_set_release(&source->set);
 	array_release(&source->polygons);
-	array_release(&source->vertices);
+	array_release(&source->triangles);
 	array_release(&source->homes);
 	byte_index_release(&source->ids);
 	array_release(&source->named);

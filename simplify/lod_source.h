@@ -17,9 +17,7 @@ struct lod_source {
 	struct frame frame; /* at the object's first vertex */
 	struct component_set set; /* in that frame: metres */
 	TCS_ARRAY(uint32_t) polygons; /* per triangle of the set */
-	TCS_ARRAY(struct tcs_triangle)
-	vertices; /* per triangle of the set:
-	                                            those of the object */
+	TCS_ARRAY(uint32_t) triangles; /* the same: that of the object */
 	TCS_ARRAY(uint32_t)
 	homes; /* per polygon: the one whose triangles it
 	                              has, mostly itself; TCS_NONE: none */
@@ -35,6 +33,14 @@ struct lod_source {
 enum tcs_status lod_source_load(struct lod_source *source,
 	const struct tcs_object *object, int lod, const struct tcs_crs *crs,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/* The vertices of the object that a triangle of the set has. */
+static inline const uint32_t *
+lod_source_vertices(const struct lod_source *source,
+	const struct tcs_object *object, uint32_t triangle)
+{
+	return object->triangles.at[source->triangles.at[triangle]].corner;
+}
 
 void lod_source_release(struct lod_source *source);
 

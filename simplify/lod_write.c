@@ -203,7 +203,7 @@ coordinate_at(const struct lod_writer *writer, const struct lod_source *source,
 	const struct tcs_paint *paint =
 		&from->paints.at[index->paints.at[index->first.at[polygon] +
 			number]];
-	const uint32_t *old = source->vertices.at[triangle].corner;
+	const uint32_t *old = lod_source_vertices(source, from, triangle);
 	struct tcs_texcoord coordinates[3], guess;
 	struct tcs_point corners[3];
 
@@ -211,8 +211,10 @@ coordinate_at(const struct lod_writer *writer, const struct lod_source *source,
 		corners[i] = from->vertices.at[old[i]];
 		coordinates[i] = paint_coordinate(from, paint, old[i]);
 	}
-	guess = texture_plane_at(corners, coordinates, face->corners[k]);
-	if (triangle != face->triangle || face->nodes[k] == TCS_NONE)
+	guess = texture_plane_at(
+		corners, coordinates, writer->faces.places.at[face->nodes[k]]);
+	if (triangle != face->triangle ||
+		writer->faces.moved.at[face->nodes[k]])
 		return guess;
 	return paint_charts_at(writer->charts, from, source, triangle,
 		face->nodes[k], number, guess);
@@ -263,7 +265,8 @@ put_face(struct lod_writer *writer, const struct lod_source *source,
 		(struct tcs_triangle){{out->first_vertex, out->first_vertex + 1,
 			out->first_vertex + 2}};
 	for (int k = 0; !status && k < 3; k++)
-		status = put_vertex(to, face->corners[k], fault);
+		status = put_vertex(
+			to, writer->faces.places.at[face->nodes[k]], fault);
 	return status ? status : project_paints(writer, source, face, fault);
 }
 

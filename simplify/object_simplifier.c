@@ -262,9 +262,26 @@ write_unchanged(struct object_simplifier *simplifier,
 	return status;
 }
 
+/* The faces that are left are taken: the mesh is not asked any more. */
+static void
+release_mesh(struct object_simplifier *simplifier)
+{
+	struct component_set *set = &simplifier->source.set;
+	struct sheets *sheets = &simplifier->sheets;
+
+	collapses_release_mesh(&simplifier->collapses);
+	array_release(&set->points);
+	array_release(&set->numbers);
+	array_release(&set->order);
+	array_release(&sheets->nodes);
+	array_release(&sheets->vertex_nodes);
+	array_release(&sheets->triangle_faces);
+	array_release(&sheets->corners);
+}
+
 static enum tcs_status
 write_level(struct object_simplifier *simplifier, const struct tcs_object *in,
-	const struct simplify_level *level, struct tcs_fault *fault)
+	const struct simplify_level *level, bool done, struct tcs_fault *fault)
 {
 	enum tcs_status status;
 
@@ -272,6 +289,8 @@ write_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 		return write_unchanged(simplifier, in, fault);
 	status = lod_faces_take(&simplifier->writer.faces, in,
 		&simplifier->source, &simplifier->collapses, fault);
+	if (done)
+		release_mesh(simplifier);
 	if (!status)
 		status = find_homes(simplifier, in, level->lod, fault);
 	if (!status)
@@ -330,7 +349,7 @@ make_level(struct object_simplifier *simplifier, const struct tcs_object *in,
 	if (done)
 		overlaps_release(&simplifier->overlaps);
 	if (!status)
-		status = write_level(simplifier, in, level, fault);
+		status = write_level(simplifier, in, level, done, fault);
 	if (!status)
 		status = level_report(
 			simplifier, in, level, target, report, fault);

@@ -76,8 +76,8 @@ all_go_on(const struct scene *scene, uint32_t corner)
 	for (uint32_t i = 0; i < 2; i++) {
 		uint32_t triangle =
 			scene->sheets->face_triangles.at[corners[i] / 3];
-		const uint32_t *vertices =
-			scene->source->vertices.at[triangle].corner;
+		const uint32_t *vertices = lod_source_vertices(
+			scene->source, scene->object, triangle);
 		uint32_t k = corners[i] % 3;
 
 		edge.polygons[i] = scene->source->polygons.at[triangle];
@@ -190,8 +190,8 @@ paint_charts_at(const struct paint_charts *charts,
 			continue;
 		own = paint_coordinate(object,
 			paint_of(&scene, source->polygons.at[there], number),
-			source->vertices.at[there]
-				.corner[charts->corners.at[i] % 3]);
+			lod_source_vertices(source, object,
+				there)[charts->corners.at[i] % 3]);
 		away = hypot(own.s - guess.s, own.t - guess.t);
 		if (away < least) {
 			least = away;
