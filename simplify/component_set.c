@@ -76,15 +76,6 @@ component_set_add(struct component_set *set, const struct tcs_point corners[3],
 	return TCS_OK;
 }
 
-struct triangle_shape
-component_set_shape(const struct component_set *set, size_t triangle)
-{
-	const uint32_t *corner = set->triangles.at[triangle].corner;
-
-	return (struct triangle_shape){{set->points.at[corner[0]],
-		set->points.at[corner[1]], set->points.at[corner[2]]}};
-}
-
 /* ---- building ------------------------------------------------------------ */
 
 /* Give back the room that no point needs, where it is much. */

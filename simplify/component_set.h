@@ -73,7 +73,13 @@ void component_set_enlarge(
 void component_set_clear(struct component_set *set);
 void component_set_release(struct component_set *set);
 
-struct triangle_shape component_set_shape(
-	const struct component_set *set, size_t triangle);
+static inline struct triangle_shape
+component_set_shape(const struct component_set *set, size_t triangle)
+{
+	const uint32_t *corner = set->triangles.at[triangle].corner;
+
+	return (struct triangle_shape){{set->points.at[corner[0]],
+		set->points.at[corner[1]], set->points.at[corner[2]]}};
+}
 
 #endif

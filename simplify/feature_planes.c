@@ -87,12 +87,14 @@ add_edge(struct collapses *work, size_t corner)
 	size_t face = corner / 3;
 	const uint32_t *corners = corners_of(work, face);
 	double penalty = penalty_of(work, corner);
-	uint32_t ends[2] = {node_of(work, corners[corner % 3]),
-		node_of(work, corners[(corner + 1) % 3])};
-	struct tcs_point from = work->positions.at[ends[0]], along, across;
+	struct tcs_point from, along, across;
+	uint32_t ends[2];
 
 	if (!(penalty > 0))
 		return;
+	for (size_t i = 0; i < 2; i++)
+		ends[i] = node_of(work, corners[(corner + i) % 3]);
+	from = work->positions.at[ends[0]];
 	along = vector_difference(work->positions.at[ends[1]], from);
 	across = unit(vector_cross(along, work->sheets->normals.at[face]));
 	for (int i = 0; i < 2; i++)

@@ -312,23 +312,19 @@ visit_near(struct search *search)
 		(struct tcs_point){
 			bounds.high[0], bounds.high[1], bounds.high[2]},
 		SUNK);
+	unsigned low[3], high[3], bins[3];
 	enum tcs_status status = TCS_OK;
 
 	/* Each coordinate lies in one bin or near the next. */
-	for (unsigned corner = 0; !status && corner < 8; corner++) {
-		unsigned bins[3];
-		bool repeated = false;
-
-		for (int i = 0; i < 3; i++) {
-			unsigned low = bin_of(at[i] - TURN);
-
-			bins[i] = bin_of(at[i] + TURN);
-			repeated |= corner >> i & 1 && bins[i] == low;
-			bins[i] = corner >> i & 1 ? bins[i] : low;
-		}
-		if (!repeated)
-			status = visit_way(search, way_in(bins), &box);
+	for (int i = 0; i < 3; i++) {
+		low[i] = bin_of(at[i] - TURN);
+		high[i] = bin_of(at[i] + TURN);
 	}
+	for (bins[2] = low[2]; bins[2] <= high[2]; bins[2]++)
+		for (bins[1] = low[1]; bins[1] <= high[1]; bins[1]++)
+			for (bins[0] = low[0]; !status && bins[0] <= high[0];
+				bins[0]++)
+				status = visit_way(search, way_in(bins), &box);
 	return status;
 }
 

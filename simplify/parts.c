@@ -98,15 +98,17 @@ measure_part(const struct search *search, struct part *part)
 		uint32_t triangle = search->sheets->face_triangles.at[faces[i]];
 		struct triangle_shape shape =
 			component_set_shape(search->set, triangle);
+		struct tcs_point normal;
 
 		part->component = search->set->numbers.at[triangle];
 		if (i == 0)
 			origin = shape.corner[0];
 		for (int k = 0; k < 3; k++)
 			box_add_point(&part->box, shape.corner[k]);
-		part->area += triangle_area(&shape);
+		normal = triangle_normal(&shape);
+		part->area += vector_length(normal) / 2;
 		volume += vector_dot(vector_difference(shape.corner[0], origin),
-				  triangle_normal(&shape)) /
+				  normal) /
 			6;
 	}
 	if (part->area > 0)
@@ -178,7 +180,8 @@ link_twins(struct search *search)
 		uint32_t node = sheets->vertex_nodes.at[sheets->corners.at[i]];
 		uint32_t part = search->parts->numbers.at[i / 3];
 
-		status = add_link(search, last[node], part);
+		if (last[node] != part)
+			status = add_link(search, last[node], part);
 		last[node] = part;
 	}
 	free(last);
