@@ -10,7 +10,7 @@
 /* Metres that a border between surfaces may move while it is kept, and contacts
    that it is worth to keep it. */
 #define BORDER_LIMIT 0.01
-#define BORDER_WORTH 1
+#define BORDER_WORTH 0.2
 
 /* A collapse that is free otherwise prefers the shorter edge. */
 #define SHORTNESS 1e-10

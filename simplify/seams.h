@@ -41,14 +41,17 @@ struct seam_count {
    what lies between them a margin to the quarter that counts as half open. */
 #define SEAM_KEPT_TO_OPEN 6
 
-/* How far a contact is broken when so many points of it are open: not, by half
+/* What a contact is broken by that is half open. */
+#define SEAM_HALF_OPEN 0.4
+
+/* How far a contact is broken when so many points of it are open: not, in part
    when it is half open, or wholly. */
 static inline double
 seam_broken(const struct seam_count *count, uint32_t open)
 {
 	if (open >= count->points)
 		return 1;
-	return SEAM_KEPT_TO_OPEN * open >= count->points ? 0.5 : 0;
+	return SEAM_KEPT_TO_OPEN * open >= count->points ? SEAM_HALF_OPEN : 0;
 }
 
 /* A boundary vertex and the face of another component that it meets. */
