@@ -59,11 +59,11 @@ worst_sine(const struct collapses *work, uint32_t node, uint32_t target,
 	return worst;
 }
 
-/* What moving its borders costs. */
+/* What moving its borders, if there are any, costs. */
 static double
-border_cost(const struct collapses *work, uint32_t node, struct tcs_point to)
+border_cost(const struct collapses *work, const struct quadric *borders,
+	struct tcs_point to)
 {
-	const struct quadric *borders = borders_of(work, node);
 	double weight, cost;
 
 	if (!borders)
@@ -75,34 +75,62 @@ border_cost(const struct collapses *work, uint32_t node, struct tcs_point to)
 	return cost;
 }
 
+/* What is the same wherever a node goes. */
+struct leaving {
+	struct tcs_point from;
+	const struct quadric *planes, *borders;
+	double way; /* what the way costs, by its square */
+	bool stays_low; /* what stands on the ground stays there */
+	bool meets; /* it is a boundary vertex */
+};
+
+static inline struct leaving
+leaving_of(const struct collapses *work, uint32_t node)
+{
+	struct tcs_point from = work->positions.at[node];
+
+	return (struct leaving){from, &work->quadrics.at[node],
+		borders_of(work, node), SHORTNESS * work->areas.at[node],
+		from.z <= work->ground,
+		work->seams->nodes.at[node] != TCS_NONE};
+}
+
+/* What keeping its shape costs, and a way of this length, squared. */
+static inline double
+shape_cost(const struct collapses *work, const struct leaving *leaving,
+	struct tcs_point place, double square)
+{
+	if (leaving->stays_low && place.z > work->ground)
+		return INFINITY;
+	return quadric_at(leaving->planes, place) +
+		border_cost(work, leaving->borders, place) +
+		leaving->way * square;
+}
+
 double
 collapse_cost_at(
 	const struct collapses *work, uint32_t node, struct tcs_point place)
 {
-	struct tcs_point from = work->positions.at[node];
-	struct tcs_point along = vector_difference(place, from);
+	struct leaving leaving = leaving_of(work, node);
+	struct tcs_point along = vector_difference(place, leaving.from);
 
-	/* What stands on the ground stays there. */
-	if (from.z <= work->ground && place.z > work->ground)
-		return INFINITY;
-	return quadric_at(&work->quadrics.at[node], place) +
-		border_cost(work, node, place) +
-		SHORTNESS * work->areas.at[node] * vector_dot(along, along);
+	return shape_cost(work, &leaving, place, vector_dot(along, along));
 }
 
-double
-collapse_cost(const struct collapses *work, uint32_t node, uint32_t target,
-	double bound)
+static inline double
+cost_of(const struct collapses *work, const struct leaving *leaving,
+	uint32_t node, uint32_t target, double bound)
 {
 	double ratio = work->settings.base_ratio;
 	struct tcs_point to = work->positions.at[target];
-	struct tcs_point along =
-		vector_difference(to, work->positions.at[node]);
-	double square = vector_dot(along, along), pull, rest;
-	double cost = collapse_cost_at(work, node, to);
+	struct tcs_point along = vector_difference(to, leaving->from);
+	double square = vector_dot(along, along), cost, pull, rest;
 
-	if (!(cost <= bound) || work->seams->nodes.at[node] == TCS_NONE ||
-		!(square > 0))
+	/* That is dear enough, whatever the rest is. */
+	if (leaving->way * square > bound)
+		return leaving->way * square;
+	cost = shape_cost(work, leaving, to, square);
+	if (!(cost <= bound) || !leaving->meets || !(square > 0))
 		return cost;
 	if (cost * ratio > bound)
 		return cost * ratio;
@@ -110,4 +138,33 @@ collapse_cost(const struct collapses *work, uint32_t node, uint32_t target,
 	rest = 1 - pull * pull / square;
 	rest = rest > LEAST_COSINE * LEAST_COSINE ? sqrt(rest) : LEAST_COSINE;
 	return cost * ratio / rest;
+}
+
+double
+collapse_cost(const struct collapses *work, uint32_t node, uint32_t target,
+	double bound)
+{
+	struct leaving leaving = leaving_of(work, node);
+
+	return cost_of(work, &leaving, node, target, bound);
+}
+
+struct queue_entry
+collapse_cheapest(const struct collapses *work, uint32_t node, size_t count)
+{
+	struct queue_entry best = {INFINITY, TCS_NONE};
+	struct leaving leaving = leaving_of(work, node);
+
+	for (size_t i = 0; i < count; i++) {
+		struct queue_entry there = {
+			0, node_of(work, work->spokes.at[i].to)};
+
+		if (there.node == node)
+			continue;
+		there.cost =
+			cost_of(work, &leaving, node, there.node, best.cost);
+		if (there.cost < INFINITY && queue_entry_leads(&there, &best))
+			best = there;
+	}
+	return best;
 }

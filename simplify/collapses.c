@@ -120,16 +120,11 @@ find_candidates(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 	return status;
 }
 
-static bool
-is_cheaper(const struct queue_entry *a, const struct queue_entry *b)
-{
-	return a->cost < b->cost || (!(b->cost < a->cost) && a->node < b->node);
-}
-
 static int
 by_cost(const void *left, const void *right)
 {
-	return is_cheaper(left, right) ? -1 : is_cheaper(right, left);
+	return queue_entry_leads(left, right) ? -1
+					      : queue_entry_leads(right, left);
 }
 
 static void
@@ -144,21 +139,11 @@ enum tcs_status
 collapses_judge(struct collapses *work, uint32_t node, struct tcs_fault *fault)
 {
 	uint32_t vertex = work->sheets->nodes.at[node].first_vertex;
-	struct queue_entry best = {INFINITY, TCS_NONE};
 	size_t count;
 	enum tcs_status status = spokes_of(work, vertex, &count, fault);
 
-	for (size_t i = 0; !status && i < count; i++) {
-		struct queue_entry there = {
-			0, node_of(work, work->spokes.at[i].to)};
-
-		if (there.node == node)
-			continue;
-		there.cost = placement_cost(work, node, there.node, best.cost);
-		if (there.cost < INFINITY && is_cheaper(&there, &best))
-			best = there;
-	}
-	aim(work, node, best);
+	if (!status)
+		aim(work, node, placement_cheapest(work, node, count));
 	return status;
 }
 
@@ -200,7 +185,7 @@ judge_again(struct collapses *work, uint32_t node, struct queue_entry known,
 				work, node, there.node, &fine, fault);
 			there.cost = full_cost(work, there.cost);
 		}
-		if (!status && fine && is_cheaper(&there, &best))
+		if (!status && fine && queue_entry_leads(&there, &best))
 			best = there;
 	}
 	aim(work, node, best);
@@ -223,7 +208,7 @@ update(struct collapses *work, uint32_t node, uint32_t gone, uint32_t target,
 	now.node = aimed;
 	there = (struct queue_entry){
 		placement_cost(work, node, target, now.cost), target};
-	if (is_cheaper(&there, &now))
+	if (queue_entry_leads(&there, &now))
 		aim(work, node, there);
 	return TCS_OK;
 }

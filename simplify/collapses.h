@@ -231,6 +231,11 @@ bool edge_is_sharp(const struct collapses *work, size_t corner);
 double collapse_cost(const struct collapses *work, uint32_t node,
 	uint32_t target, double bound);
 
+/* The cheapest neighbour of a node whose edges are in work->spokes, and what
+   moving there costs; INFINITY and TCS_NONE where there is none. */
+struct queue_entry collapse_cheapest(
+	const struct collapses *work, uint32_t node, size_t count);
+
 /* The part of it that is due to the shape: what a node costs at a place. */
 double collapse_cost_at(
 	const struct collapses *work, uint32_t node, struct tcs_point place);

@@ -5,12 +5,6 @@
 
 enum { ARMS = 4 }; /* children of an entry */
 
-static bool
-is_before(struct queue_entry a, struct queue_entry b)
-{
-	return a.cost < b.cost || (!(b.cost < a.cost) && a.node < b.node);
-}
-
 static void
 put(struct node_queue *queue, size_t place, struct queue_entry entry)
 {
@@ -24,7 +18,7 @@ rise(struct node_queue *queue, size_t place, struct queue_entry entry)
 	while (place > 0) {
 		size_t parent = (place - 1) / ARMS;
 
-		if (!is_before(entry, queue->heap.at[parent]))
+		if (!queue_entry_leads(&entry, &queue->heap.at[parent]))
 			break;
 		put(queue, place, queue->heap.at[parent]);
 		place = parent;
@@ -43,9 +37,10 @@ sink(struct node_queue *queue, size_t place, struct queue_entry entry)
 		if (first >= count)
 			break;
 		for (size_t i = first + 1; i < first + ARMS && i < count; i++)
-			if (is_before(queue->heap.at[i], queue->heap.at[least]))
+			if (queue_entry_leads(
+				    &queue->heap.at[i], &queue->heap.at[least]))
 				least = i;
-		if (!is_before(queue->heap.at[least], entry))
+		if (!queue_entry_leads(&queue->heap.at[least], &entry))
 			break;
 		put(queue, place, queue->heap.at[least]);
 		place = least;
@@ -62,7 +57,7 @@ take_out(struct node_queue *queue, size_t place)
 	queue->places.at[out.node] = UINT32_MAX;
 	if (place == queue->heap.count)
 		return;
-	if (is_before(last, out))
+	if (queue_entry_leads(&last, &out))
 		rise(queue, place, last);
 	else
 		sink(queue, place, last);
@@ -94,7 +89,7 @@ node_queue_set(struct node_queue *queue, uint32_t node, double cost)
 			take_out(queue, place);
 	} else if (place == UINT32_MAX) {
 		rise(queue, queue->heap.count++, entry);
-	} else if (is_before(entry, queue->heap.at[place])) {
+	} else if (queue_entry_leads(&entry, &queue->heap.at[place])) {
 		rise(queue, place, entry);
 	} else {
 		sink(queue, place, entry);

@@ -5,6 +5,7 @@
 #ifndef TESSERA_NODE_QUEUE_H
 #define TESSERA_NODE_QUEUE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -15,6 +16,13 @@ struct queue_entry {
 	double cost;
 	uint32_t node;
 };
+
+/* Whether it comes first. */
+static inline bool
+queue_entry_leads(const struct queue_entry *a, const struct queue_entry *b)
+{
+	return a->cost < b->cost || (!(b->cost < a->cost) && a->node < b->node);
+}
 
 /* All zero is empty; reused from object to object. */
 struct node_queue {

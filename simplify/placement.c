@@ -143,6 +143,26 @@ placement_cost(const struct collapses *work, uint32_t node, uint32_t target,
 	return collapse_cost(work, node, target, bound);
 }
 
+struct queue_entry
+placement_cheapest(const struct collapses *work, uint32_t node, size_t count)
+{
+	struct queue_entry best = {INFINITY, TCS_NONE};
+
+	if (!work->settings.optimal)
+		return collapse_cheapest(work, node, count);
+	for (size_t i = 0; i < count; i++) {
+		struct queue_entry there = {
+			0, node_of(work, work->spokes.at[i].to)};
+
+		if (there.node == node)
+			continue;
+		there.cost = placement_cost(work, node, there.node, best.cost);
+		if (there.cost < INFINITY && queue_entry_leads(&there, &best))
+			best = there;
+	}
+	return best;
+}
+
 /* Both ends of an edge, with what is around them. */
 struct edge_rings {
 	struct spoke spokes[2][SPOKES];

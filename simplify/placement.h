@@ -21,9 +21,13 @@
 enum tcs_status placement_begin(
 	struct collapses *work, struct tcs_fault *fault) TCS_CHECKED;
 
-/* As collapse_cost, whatever the placement. */
+/* As collapse_cost. */
 double placement_cost(const struct collapses *work, uint32_t node,
 	uint32_t target, double bound);
+
+/* As collapse_cheapest. */
+struct queue_entry placement_cheapest(
+	const struct collapses *work, uint32_t node, size_t count);
 
 /* As collapse_check and collapse_do. Fail with TCS_NO_MEMORY. */
 enum tcs_status placement_check(struct collapses *work, uint32_t node,
