@@ -19,9 +19,6 @@
 /* Metres: no face may become thinner than this, or than it was. */
 #define LEAST_HEIGHT 1e-4
 
-/* Square metres: a face this near to a point is not beaten by another. */
-#define NEAR_ENOUGH 1e-14
-
 /* Contacts that a surface is worth. */
 #define SURFACE_WORTH 4
 
@@ -42,15 +39,21 @@ staying_corners(const struct collapses *work, size_t count, size_t i,
 	return nodes[0] != target && nodes[1] != target;
 }
 
-static bool
+/* Face i of the ring as it is, but for its first node; false where there is
+   none. */
+static inline bool
 ring_face_at(const struct collapses *work, size_t count, size_t i,
-	uint32_t target, struct ring_face *out)
+	struct tcs_point from, struct ring_face *out)
 {
-	if (!staying_corners(work, count, i, target, out->nodes + 1))
+	const struct spoke *spokes = work->spokes.at;
+
+	out->face = spokes[i].face;
+	if (out->face == HALF_EDGE_NONE)
 		return false;
-	out->face = work->spokes.at[i].face;
-	out->nodes[0] = target;
-	for (int k = 0; k < 3; k++)
+	out->nodes[1] = node_of(work, spokes[i].to);
+	out->nodes[2] = node_of(work, spokes[i + 1 < count ? i + 1 : 0].to);
+	out->shape.corner[0] = from;
+	for (int k = 1; k < 3; k++)
 		out->shape.corner[k] = work->positions.at[out->nodes[k]];
 	out->normal = triangle_normal(&out->shape);
 	return true;
@@ -74,227 +77,66 @@ square_height(const struct triangle_shape *shape, struct tcs_point normal)
 }
 
 static bool
-is_sound(const struct collapses *work, const struct ring_face *after,
-	struct tcs_point from)
+is_sound(const struct collapses *work, const struct ring_face *before,
+	const struct ring_face *after)
 {
-	double height = square_height(&after->shape, after->normal);
-	struct triangle_shape before = after->shape;
+	double height;
 
 	/* It never turns over, however many steps that takes. */
 	if (vector_dot(after->normal, work->sheets->normals.at[after->face]) <
 		0)
 		return false;
-	if (height >= LEAST_HEIGHT * LEAST_HEIGHT)
-		return true;
-	before.corner[0] = from;
-	return height >= square_height(&before, triangle_normal(&before));
+	height = square_height(&after->shape, after->normal);
+	return height >= LEAST_HEIGHT * LEAST_HEIGHT ||
+		height >= square_height(&before->shape, before->normal);
 }
 
-/* Append the faces of the ring that stay, once changed; *sound when all may
-   be. */
+/* Append face i of the ring once changed, if it stays, and the surface of one
+   that goes; false if it may not be. */
+static bool
+change_face(struct collapses *work, size_t count, size_t i, uint32_t node,
+	uint32_t target)
+{
+	struct ring_face before, *after;
+
+	if (!ring_face_at(work, count, i, work->positions.at[node], &before)) {
+		work->ring_is_open = true;
+		return true;
+	}
+	work->strain.before += vector_length(before.normal);
+	if (before.nodes[1] == target || before.nodes[2] == target) {
+		work->leaving.at[work->leaving.count++] =
+			work->features.at[before.face];
+		return true;
+	}
+	after = &work->ring.at[work->ring.count++];
+	after->face = before.face;
+	after->shape = before.shape;
+	after->shape.corner[0] = work->positions.at[target];
+	after->normal = triangle_normal(&after->shape);
+	after->nodes[0] = target;
+	for (int k = 1; k < 3; k++)
+		after->nodes[k] = before.nodes[k];
+	work->strain.after += vector_length(after->normal);
+	work->strain.turns |= vector_dot(before.normal, after->normal) < 0;
+	return is_sound(work, &before, after);
+}
+
+/* All of them; *sound when all may be. */
 static enum tcs_status
 change_ring(struct collapses *work, size_t count, uint32_t node,
 	uint32_t target, bool *sound, struct tcs_fault *fault)
 {
-	struct tcs_point from = work->positions.at[node];
-
 	*sound = true;
 	work->fan = work->ring.count;
-	if (array_grow(&work->ring, count))
+	if (array_grow(&work->ring, count) || array_grow(&work->leaving, count))
 		return fault_memory(fault);
-	for (size_t i = 0; *sound && i < count; i++) {
-		struct ring_face *after = &work->ring.at[work->ring.count];
-
-		work->ring_is_open |= work->spokes.at[i].face == HALF_EDGE_NONE;
-		if (!ring_face_at(work, count, i, target, after))
-			continue;
-		*sound = is_sound(work, after, from);
-		work->ring.count++;
-	}
+	for (size_t i = 0; *sound && i < count; i++)
+		*sound = change_face(work, count, i, node, target);
 	return TCS_OK;
-}
-
-/* ---- seams --------------------------------------------------------------- */
-
-static double
-square_distance(struct tcs_point a, struct tcs_point b)
-{
-	struct tcs_point ab = vector_difference(b, a);
-
-	return vector_dot(ab, ab);
-}
-
-static struct triangle_shape
-face_shape(const struct collapses *work, uint32_t face)
-{
-	struct triangle_shape shape = {0};
-	uint32_t nodes[3];
-
-	if (collapses_face(work, face, nodes))
-		for (int k = 0; k < 3; k++)
-			shape.corner[k] = work->positions.at[nodes[k]];
-	return shape;
-}
-
-/* A face of the ring that would hold a point of a seam, and where it is
-   nearest to it. */
-struct holder {
-	const struct ring_face *face; /* NULL: none */
-	struct tcs_point at;
-	double square; /* of the distance */
-};
-
-static struct holder
-next_holder(const struct collapses *work, struct tcs_point point)
-{
-	struct holder best = {.square = INFINITY};
-
-	for (size_t i = work->fan;
-		i < work->ring.count && best.square > NEAR_ENOUGH; i++) {
-		const struct ring_face *face = &work->ring.at[i];
-		double height = vector_dot(face->normal,
-			vector_difference(point, face->shape.corner[0]));
-		struct tcs_point at;
-		double square;
-
-		/* Its plane is farther already. */
-		if (height * height >
-			best.square * vector_dot(face->normal, face->normal))
-			continue;
-		at = triangle_nearest_along(&face->shape, face->normal, point);
-		square = square_distance(at, point);
-		if (square < best.square)
-			best = (struct holder){face, at, square};
-	}
-	return best;
-}
-
-/* Whether from where either side is nearest to the point the other side is
-   not farther than the limit. */
-static bool
-is_held(const struct collapses *work, const struct seam_point *point,
-	const struct holder *own, const struct seam_hold *hold)
-{
-	double limit = (double)point->limit * (double)point->limit;
-	struct triangle_shape other;
-	struct tcs_point there;
-
-	if (sqrt(own->square) + (double)hold->off <= (double)point->limit)
-		return true;
-	other = face_shape(work, hold->face);
-	if (square_distance(own->at, triangle_nearest(&other, own->at)) <=
-		limit)
-		return true;
-	there = triangle_nearest(&other, point->at);
-	return square_distance(there,
-		       triangle_nearest(&own->face->shape, there)) <= limit;
-}
-
-static struct seam_move
-move_after(const struct collapses *work, uint32_t hold)
-{
-	const struct seams *seams = work->seams;
-	const struct seam_point *point = &seams->points.at[hold / 2];
-	struct holder own = next_holder(work, point->at);
-
-	if (!own.face ||
-		!is_held(work, point, &own, &seams->holds.at[hold ^ 1]))
-		return (struct seam_move){hold, TCS_NONE, INFINITY};
-	return (struct seam_move){hold, own.face->face, sqrt(own.square)};
-}
-
-/* List who holds the points that faces of the ring hold, and the contacts of
-   those that nobody does. */
-static enum tcs_status
-list_moves(struct collapses *work, size_t count, struct tcs_fault *fault)
-{
-	const struct seams *seams = work->seams;
-
-	for (size_t i = 0; i < count; i++) {
-		uint32_t face = work->spokes.at[i].face, hold;
-
-		if (face == HALF_EDGE_NONE)
-			continue;
-		for (hold = seams->faces.at[face]; hold != TCS_NONE;
-			hold = seams->holds.at[hold].next) {
-			struct seam_move move = move_after(work, hold);
-
-			if (array_grow(&work->moves, 1) ||
-				array_grow(&work->opened, 1))
-				return fault_memory(fault);
-			work->moves.at[work->moves.count++] = move;
-			if (move.face == TCS_NONE)
-				work->opened.at[work->opened.count++] =
-					seams->points.at[hold / 2].contact;
-		}
-	}
-	return TCS_OK;
-}
-
-/* How often the contact of entry i is listed; 0 unless it is the first time. */
-static uint32_t
-times_listed(const uint32_t *list, size_t count, size_t i)
-{
-	uint32_t times = 0;
-
-	for (size_t k = 0; k < i; k++)
-		if (list[k] == list[i])
-			return 0;
-	for (size_t k = i; k < count; k++)
-		times += list[k] == list[i];
-	return times;
-}
-
-/* Add up what the points listed break, each contact by its worth; false where
-   one comes wholly apart. */
-static bool
-count_broken(struct collapses *work)
-{
-	for (size_t i = 0; i < work->opened.count; i++) {
-		uint32_t contact = work->opened.at[i];
-		const struct seam_count *count =
-			&work->seams->counts.at[contact];
-		uint32_t times =
-			times_listed(work->opened.at, work->opened.count, i);
-		double broken;
-
-		if (times > 0 && cover_watch_loses(&work->covers, contact))
-			continue;
-		if (times > 0 && count->open + times >= count->points)
-			return false;
-		if (times == 0)
-			continue;
-		broken = seam_broken(count, count->open + times) -
-			seam_broken(count, count->open);
-		work->breaks_contact |= broken > 0;
-		work->broken += broken *
-			(work->worths.count > 0
-					? (double)work->worths.at[contact]
-					: 1);
-	}
-	return true;
 }
 
 /* ---- surfaces ------------------------------------------------------------ */
-
-/* Append the surfaces of the faces at the edge to the target, which go. */
-static enum tcs_status
-list_leaving(struct collapses *work, size_t count, uint32_t target,
-	struct tcs_fault *fault)
-{
-	for (size_t i = 0; i < count; i++) {
-		uint32_t face = work->spokes.at[i].face, nodes[2];
-
-		if (face == HALF_EDGE_NONE ||
-			staying_corners(work, count, i, target, nodes))
-			continue;
-		if (array_grow(&work->leaving, 1))
-			return fault_memory(fault);
-		work->leaving.at[work->leaving.count++] =
-			work->features.at[face];
-	}
-	return TCS_OK;
-}
 
 /* Add the surfaces that keep no face. */
 static void
@@ -388,9 +230,7 @@ check_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 	if (!status && *fine && !work->watch.paused)
 		volume_watch_look(work, &ring, work->positions.at[target]);
 	if (!status && *fine)
-		status = list_moves(work, count, fault);
-	if (!status && *fine)
-		status = list_leaving(work, count, target, fault);
+		status = seam_moves_list(work, count, fault);
 	if (!status && *fine && twins)
 		status = collect_neighbours(work, count, target, fault);
 	return status;
@@ -475,13 +315,14 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 	work->breaks_contact = false;
 	work->volume.change = 0;
 	work->leaving.count = work->apart.count = work->ring.count = 0;
+	work->strain = (struct strain){0};
 	work->ring_is_open = false;
 	for (uint32_t v = fans[0].first_vertex;
 		!status && *fine && v < fans[1].first_vertex; v++)
 		status = check_vertex(work, v, target, twins, fine, fault);
 	if (!status && *fine)
 		status = count_harm(work, node, fault);
-	*fine = !status && *fine && count_broken(work) &&
+	*fine = !status && *fine && seam_moves_break(work) &&
 		(work->settings.contact_cost < INFINITY ||
 			!(work->broken > 0)) &&
 		!is_pinched(work);
@@ -489,33 +330,30 @@ collapse_check(struct collapses *work, uint32_t node, uint32_t target,
 		status = check_doubles(work, node, target, fine, fault);
 	if (!status && *fine)
 		status = crossing_watch_allows(work, node, target, fine, fault);
-	if (!status && *fine)
-		status = collapse_is_strained(
-			work, node, &work->is_strained, fault);
+	work->is_strained = collapse_is_strained(&work->strain);
 	return status;
 }
 
 /* ---- doing it ------------------------------------------------------------ */
 
+/* The faces around a vertex that stay get their new corner. */
 static void
-move_holds(struct collapses *work)
+stretch_faces(struct collapses *work, size_t count, uint32_t target)
 {
-	for (size_t i = 0; i < work->moves.count; i++) {
-		const struct seam_move *move = &work->moves.at[i];
+	uint32_t component = work->sheets->nodes.at[target].component, nodes[2];
+	struct float_box place = float_box_at(work->positions.at[target]);
 
-		if (move->face == TCS_NONE)
-			seams_open(work->seams, move->hold / 2);
-		else
-			seams_move_hold(
-				work->seams, move->hold, move->face, move->off);
-	}
+	for (size_t i = 0; i < count; i++)
+		if (staying_corners(work, count, i, target, nodes))
+			crossing_watch_grow(work, component,
+				work->spokes.at[i].face, &place);
 }
 
 static enum tcs_status
 collapse_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 	struct tcs_fault *fault)
 {
-	uint32_t half_edge = HALF_EDGE_NONE, gone[2], nodes[2];
+	uint32_t half_edge = HALF_EDGE_NONE, gone[2];
 	struct watch_ring ring;
 	size_t count, faces;
 	enum tcs_status status = spokes_of(work, vertex, &count, fault);
@@ -527,10 +365,7 @@ collapse_vertex(struct collapses *work, uint32_t vertex, uint32_t target,
 		return status;
 	ring = (struct watch_ring){vertex, work->spokes.at, count, target};
 	error_watch_follow(work, &ring, 1, work->positions.at[target]);
-	for (size_t i = 0; i < count; i++)
-		if (staying_corners(work, count, i, target, nodes))
-			crossing_watch_follow(work, work->spokes.at[i].face,
-				work->positions.at[target]);
+	stretch_faces(work, count, target);
 	faces = half_edges_collapse(work->mesh, half_edge, gone);
 	work->face_count -= faces;
 	for (size_t i = 0; i < faces; i++) {
@@ -559,7 +394,7 @@ collapse_do(struct collapses *work, uint32_t node, uint32_t target,
 	const struct sheet_node *fans = &work->sheets->nodes.at[node];
 	enum tcs_status status = TCS_OK;
 
-	move_holds(work);
+	seam_moves_do(work);
 	volume_watch_follow(work, node);
 	cover_watch_follow(work);
 	for (uint32_t v = fans[0].first_vertex;

@@ -472,6 +472,7 @@ collapses_release(struct collapses *work)
 	array_release(&work->touched);
 	array_release(&work->moves);
 	array_release(&work->ring);
+	array_release(&work->sides);
 	array_release(&work->apart);
 	array_release(&work->leaving);
 	array_release(&work->opened);

@@ -48,6 +48,22 @@ struct ring_face {
 	struct box box; /* where crossings are looked for */
 };
 
+/* Planes upright on such a face through its sides, as seam_moves.c asks of many
+   points where they are. */
+struct ring_sides {
+	struct tcs_point inward[3];
+	double lengths[3]; /* of those */
+	double far; /* of the side that does not move from where the others
+	               meet, times its length */
+	double square; /* of twice the area */
+};
+
+/* What a collapse does to the faces around the node. */
+struct strain {
+	double before, after; /* twice the area of all, square metres */
+	bool turns; /* one of them, by more than 90 degrees */
+};
+
 /* Which face will hold a point of a seam; TCS_NONE: it comes open. */
 struct seam_move {
 	uint32_t hold, face;
@@ -95,7 +111,9 @@ struct collapses {
 	TCS_ARRAY(struct seam_move) moves;
 	TCS_ARRAY(struct ring_face) ring; /* those that stay */
 	size_t fan; /* where in `ring` those of the last vertex begin */
+	TCS_ARRAY(struct ring_sides) sides; /* scratch: of faces of the ring */
 	bool ring_is_open; /* some vertex is on a rim */
+	struct strain strain;
 	bool is_strained; /* see collapse_is_strained */
 	TCS_ARRAY(uint32_t) apart; /* scratch: vertices, if there are twins */
 	TCS_ARRAY(uint32_t) leaving; /* scratch: surfaces, one per face */
@@ -249,16 +267,41 @@ double collapse_cost_at(
 enum tcs_status collapse_check(struct collapses *work, uint32_t node,
 	uint32_t target, bool *fine, struct tcs_fault *fault) TCS_CHECKED;
 
+/*
+ * List which faces of the ring will hold the points that faces around its last
+ * vertex hold, `count` spokes, and the contacts of those that none will. Fails
+ * with TCS_NO_MEMORY.
+ */
+enum tcs_status seam_moves_list(struct collapses *work, size_t count,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Add up what the points listed break, each contact by its worth; false where
+   one comes wholly apart. */
+bool seam_moves_break(struct collapses *work);
+
+/* Do what is listed. */
+void seam_moves_do(struct collapses *work);
+
+/* How often entry i is listed; 0 unless it is the first time. */
+static inline uint32_t
+times_listed(const uint32_t *list, size_t count, size_t i)
+{
+	uint32_t times = 0;
+
+	for (size_t k = 0; k < i; k++)
+		if (list[k] == list[i])
+			return 0;
+	for (size_t k = i; k < count; k++)
+		times += list[k] == list[i];
+	return times;
+}
+
 /* The cost of a collapse that is strained: so many times as much. */
 #define STRAIN_PENALTY 200
 
-/*
- * Whether what else is fine turns a face by more than 90 degrees at once, or makes
- * the faces around the node more than four times as large or as small: work->ring has
- * those that stay. Fails with TCS_NO_MEMORY.
- */
-enum tcs_status collapse_is_strained(struct collapses *work, uint32_t node,
-	bool *strained, struct tcs_fault *fault) TCS_CHECKED;
+/* Whether what else is fine turns a face by more than 90 degrees at once, or makes
+   the faces around the node more than four times as large or as small. */
+bool collapse_is_strained(const struct strain *strain);
 
 /* Do what was just found fine. Fails with TCS_NO_MEMORY. */
 enum tcs_status collapse_do(struct collapses *work, uint32_t node,

@@ -15,6 +15,10 @@
 #define COLLAPSE_CROSSES 0.0005
 #define REFILL_CROSSES 0.5
 
+/* Metres: what reaches no farther through a plane is on one side of it; far
+   below what counts as crossing, and above what is lost to rounding. */
+#define NOTHING 1e-12
+
 /* Metres: faces that only touch a ring are not even listed. */
 #define INSET (CROSSING_DEPTH / 10)
 
@@ -48,9 +52,18 @@ void
 crossing_watch_follow(
 	struct collapses *work, uint32_t face, struct tcs_point place)
 {
+	struct float_box box = float_box_at(place);
+
+	crossing_watch_grow(work, component_of(work, face), face, &box);
+}
+
+void
+crossing_watch_grow(struct collapses *work, uint32_t component, uint32_t face,
+	const struct float_box *by)
+{
 	if (work->crossings.places.count > 0)
-		face_boxes_grow(&work->seams->boxes, component_of(work, face),
-			work->crossings.places.at[face], place);
+		face_boxes_grow(&work->seams->boxes, component,
+			work->crossings.places.at[face], by);
 }
 
 void
@@ -99,14 +112,17 @@ struct bundle {
 	struct box box;
 };
 
-static struct box
+static inline struct box
 box_around(const struct triangle_shape *shape)
 {
-	struct box box = BOX_EMPTY;
+	const struct tcs_point *p = shape->corner;
 
-	for (int k = 0; k < 3; k++)
-		box_add_point(&box, shape->corner[k]);
-	return box;
+	return (struct box){{least_of(p[0].x, p[1].x, p[2].x),
+				    least_of(p[0].y, p[1].y, p[2].y),
+				    least_of(p[0].z, p[1].z, p[2].z)},
+		{-least_of(-p[0].x, -p[1].x, -p[2].x),
+			-least_of(-p[0].y, -p[1].y, -p[2].y),
+			-least_of(-p[0].z, -p[1].z, -p[2].z)}};
 }
 
 static struct bundle
@@ -171,6 +187,24 @@ boxes_meet(const struct box *a, const struct box *b)
 	return true;
 }
 
+/* Whether no corner is on the one side of the other face's plane, or none on the
+   other. */
+static inline bool
+is_on_one_side(const struct ring_face *face, const struct ring_face *other)
+{
+	struct tcs_point normal = other->normal;
+	double most =
+		NOTHING * (fabs(normal.x) + fabs(normal.y) + fabs(normal.z));
+	const struct tcs_point *p = face->shape.corner;
+	struct tcs_point from = other->shape.corner[0];
+	double a = vector_dot(normal, vector_difference(p[0], from));
+	double b = vector_dot(normal, vector_difference(p[1], from));
+	double c = vector_dot(normal, vector_difference(p[2], from));
+
+	return (a >= -most && b >= -most && c >= -most) ||
+		(a <= most && b <= most && c <= most);
+}
+
 /* Faces that have nothing to do with each other have no edge in common. */
 static bool
 crosses_any(const struct bundle *bundle, struct ring_face *other, bool kin)
@@ -178,10 +212,12 @@ crosses_any(const struct bundle *bundle, struct ring_face *other, bool kin)
 	other->box = box_around(&other->shape);
 	if (!boxes_meet(&bundle->box, &other->box))
 		return false;
+	other->normal = triangle_normal(&other->shape);
 	for (size_t i = 0; i < bundle->count; i++) {
 		const struct ring_face *face = &bundle->faces[i];
 
 		if (boxes_meet(&face->box, &other->box) &&
+			!is_on_one_side(face, other) &&
 			(!kin ||
 				(face->face != other->face &&
 					!have_an_edge(face, other))) &&

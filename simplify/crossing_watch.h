@@ -46,9 +46,14 @@ enum tcs_status crossing_watch_admits(struct collapses *work,
 	const struct refill *refill, bool *fine,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/* A face gets a corner there; nothing to a watch that is released. */
+/* A face gets a corner there; nothing to a watch that is released, here and
+   below. */
 void crossing_watch_follow(
 	struct collapses *work, uint32_t face, struct tcs_point place);
+
+/* A face of a component gets corners that the box holds. */
+void crossing_watch_grow(struct collapses *work, uint32_t component,
+	uint32_t face, const struct float_box *by);
 
 /* A face is gone. One that comes back is followed from nothing. */
 void crossing_watch_drop(struct collapses *work, uint32_t face);

@@ -305,34 +305,42 @@ face_boxes_release(struct face_boxes *boxes)
 
 /* ---- growing ------------------------------------------------------------- */
 
+static inline bool
+box_holds(const struct box_block *block, size_t place,
+	const struct float_box *other)
+{
+	for (int i = 0; i < 3; i++)
+		if (other->low[i] < block->low[i][place] ||
+			other->high[i] > block->high[i][place])
+			return false;
+	return true;
+}
+
 /* False when the box holds the other one already. */
 static bool
 grow_box(struct box_block *block, size_t place, const struct float_box *by)
 {
-	bool grows = false;
-
+	if (box_holds(block, place, by))
+		return false;
 	for (int i = 0; i < 3; i++) {
 		float *low = &block->low[i][place];
 		float *high = &block->high[i][place];
 
-		grows |= by->low[i] < *low || by->high[i] > *high;
 		*low = by->low[i] < *low ? by->low[i] : *low;
 		*high = by->high[i] > *high ? by->high[i] : *high;
 	}
-	return grows;
+	return true;
 }
 
 void
 face_boxes_grow(struct face_boxes *boxes, uint32_t number, uint32_t place,
-	struct tcs_point point)
+	const struct float_box *by)
 {
 	const struct face_run *run = &boxes->runs.at[number];
-	struct float_box box = float_box_around(point, point, 0);
 	struct box_block *level = boxes->blocks.at + run->first_block;
 	size_t count = blocks_over(run->face_count);
 
-	while (grow_box(&level[place / BLOCK_BOXES], place % BLOCK_BOXES,
-		       &box) &&
+	while (grow_box(&level[place / BLOCK_BOXES], place % BLOCK_BOXES, by) &&
 		count > 1) {
 		level += count;
 		count = blocks_over(count);

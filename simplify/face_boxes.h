@@ -95,6 +95,12 @@ float_box_of(const struct triangle_shape *shape)
 			rounded_up(-least_of(-p[0].z, -p[1].z, -p[2].z))}};
 }
 
+static inline struct float_box
+float_box_at(struct tcs_point point)
+{
+	return float_box_around(point, point, 0);
+}
+
 static inline bool
 float_box_holds(const struct float_box *box, struct tcs_point point)
 {
@@ -127,9 +133,9 @@ enum tcs_status face_boxes_add(struct face_boxes *boxes, const uint32_t *faces,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /* The box of face number `place` of a run, as `faces` has them, grows to hold
-   the point. */
+   the other one. */
 void face_boxes_grow(struct face_boxes *boxes, uint32_t run, uint32_t place,
-	struct tcs_point point);
+	const struct float_box *by);
 
 /* That face is gone: its box meets nothing until it grows again. */
 void face_boxes_drop(struct face_boxes *boxes, uint32_t run, uint32_t place);

@@ -31,7 +31,7 @@ static void
 a_box_that_grows_is_found_where_it_is_then(void)
 {
 	struct face_boxes boxes = {0};
-	struct float_box own[FACES];
+	struct float_box own[FACES], by;
 	uint32_t faces[FACES], face, place = 0;
 	struct tcs_fault fault;
 
@@ -44,7 +44,8 @@ a_box_that_grows_is_found_where_it_is_then(void)
 	CHECK(count_near(&boxes, 2000, &face) == 0);
 	while (boxes.faces.at[place] != 990)
 		place++;
-	face_boxes_grow(&boxes, 0, place, (struct tcs_point){2000.2, 0.2, 0.2});
+	by = float_box_at((struct tcs_point){2000.2, 0.2, 0.2});
+	face_boxes_grow(&boxes, 0, place, &by);
 	CHECK(count_near(&boxes, 2000, &face) == 1 && face == 990);
 	CHECK(count_near(&boxes, 500, &face) == 1 && face == 500);
 	CHECK(count_near(&boxes, 995, &face) == 2);
@@ -55,7 +56,7 @@ static void
 a_box_that_is_dropped_is_found_where_it_grows_again(void)
 {
 	struct face_boxes boxes = {0};
-	struct float_box own[FACES];
+	struct float_box own[FACES], by;
 	uint32_t faces[FACES], face, place = 0;
 	struct tcs_fault fault;
 
@@ -69,7 +70,8 @@ a_box_that_is_dropped_is_found_where_it_grows_again(void)
 	face_boxes_drop(&boxes, 0, place);
 	CHECK(count_near(&boxes, 500, &face) == 0);
 	CHECK(count_near(&boxes, 501, &face) == 1 && face == 501);
-	face_boxes_grow(&boxes, 0, place, (struct tcs_point){700.2, 0.2, 0.2});
+	by = float_box_at((struct tcs_point){700.2, 0.2, 0.2});
+	face_boxes_grow(&boxes, 0, place, &by);
 	CHECK(count_near(&boxes, 500, &face) == 0);
 	CHECK(count_near(&boxes, 700, &face) == 2);
 	face_boxes_release(&boxes);
