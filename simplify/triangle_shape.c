@@ -1,30 +1,5 @@
 #include "triangle_shape.h"
 
-#include "vector.h"
-
-struct tcs_point
-triangle_normal(const struct triangle_shape *t)
-{
-	return vector_cross(vector_difference(t->corner[1], t->corner[0]),
-		vector_difference(t->corner[2], t->corner[0]));
-}
-
-struct tcs_point
-triangle_centre(const struct triangle_shape *triangle)
-{
-	const struct tcs_point *corner = triangle->corner;
-
-	return vector_scaled(
-		vector_sum(corner[0], vector_sum(corner[1], corner[2])),
-		1.0 / 3);
-}
-
-double
-triangle_area(const struct triangle_shape *triangle)
-{
-	return vector_length(triangle_normal(triangle)) / 2;
-}
-
 static inline struct tcs_point
 segment_nearest(struct tcs_point a, struct tcs_point b, struct tcs_point point)
 {
@@ -45,12 +20,26 @@ square_distance(struct tcs_point a, struct tcs_point b)
 	return vector_dot(ab, ab);
 }
 
-/* Whether a turns right into b, in a plane seen from where its normal points:
-   that is `up` there. */
-static inline bool
-turns_right(const double a[2], const double b[2], double up)
+/* In a coordinate plane. */
+struct flat {
+	double u, v;
+};
+
+/* From one point to another, along two of the axes. */
+static inline struct flat
+flat_difference(struct tcs_point a, struct tcs_point b, size_t u, size_t v)
 {
-	double turn = a[0] * b[1] - a[1] * b[0];
+	const double from[3] = {b.x, b.y, b.z}, to[3] = {a.x, a.y, a.z};
+
+	return (struct flat){to[u] - from[u], to[v] - from[v]};
+}
+
+/* Whether a turns right into b, seen from where the plane's normal points: that
+   is `up` there. */
+static inline bool
+turns_right(struct flat a, struct flat b, double up)
+{
+	double turn = a.u * b.v - a.v * b.u;
 
 	return up < 0 ? turn > 0 : turn < 0;
 }
@@ -62,19 +51,13 @@ static inline unsigned
 edges_left_across(const struct triangle_shape *t, struct tcs_point point,
 	size_t u, size_t v, double up)
 {
-	const double at[3] = {point.x, point.y, point.z};
-	double from[3][2];
+	struct flat a = flat_difference(t->corner[0], point, u, v);
+	struct flat b = flat_difference(t->corner[1], point, u, v);
+	struct flat c = flat_difference(t->corner[2], point, u, v);
 
-	for (int i = 0; i < 3; i++) {
-		const double corner[3] = {
-			t->corner[i].x, t->corner[i].y, t->corner[i].z};
-
-		from[i][0] = corner[u] - at[u];
-		from[i][1] = corner[v] - at[v];
-	}
-	return (unsigned)turns_right(from[0], from[1], up) |
-		(unsigned)turns_right(from[1], from[2], up) << 1 |
-		(unsigned)turns_right(from[2], from[0], up) << 2;
+	return (unsigned)turns_right(a, b, up) |
+		(unsigned)turns_right(b, c, up) << 1 |
+		(unsigned)turns_right(c, a, up) << 2;
 }
 
 static inline unsigned

@@ -11,7 +11,7 @@
 
 #include <stdbool.h>
 
-#include "tcs.h"
+#include "vector.h"
 
 struct triangle_shape {
 	struct tcs_point corner[3];
@@ -55,10 +55,29 @@ bool triangle_hit(const struct triangle_shape *triangle,
 	double *margin);
 
 /* Twice the area, along the normal; counterclockwise is towards the viewer. */
-struct tcs_point triangle_normal(const struct triangle_shape *triangle);
+static inline struct tcs_point
+triangle_normal(const struct triangle_shape *triangle)
+{
+	const struct tcs_point *corner = triangle->corner;
 
-struct tcs_point triangle_centre(const struct triangle_shape *triangle);
+	return vector_cross(vector_difference(corner[1], corner[0]),
+		vector_difference(corner[2], corner[0]));
+}
 
-double triangle_area(const struct triangle_shape *triangle);
+static inline struct tcs_point
+triangle_centre(const struct triangle_shape *triangle)
+{
+	const struct tcs_point *corner = triangle->corner;
+
+	return vector_scaled(
+		vector_sum(corner[0], vector_sum(corner[1], corner[2])),
+		1.0 / 3);
+}
+
+static inline double
+triangle_area(const struct triangle_shape *triangle)
+{
+	return vector_length(triangle_normal(triangle)) / 2;
+}
 
 #endif
