@@ -176,6 +176,15 @@ measure(struct component_set *set, struct component *component)
 	box_add(&set->bounds, &component->box);
 }
 
+/* Whether two uses of an edge are by one component, and cancel out. */
+static bool
+are_a_pair(const struct component_set *set, const struct edge_use *use)
+{
+	return use[0].forward != use[1].forward &&
+		set->numbers.at[use[0].triangle] ==
+		set->numbers.at[use[1].triangle];
+}
+
 /* Uses of one edge by one component must cancel out. */
 static void
 find_open(struct component_set *set)
@@ -186,6 +195,8 @@ find_open(struct component_set *set)
 		const struct edge_use *use = &set->edges.uses.at[i];
 
 		run = edge_table_run(&set->edges, i);
+		if (run == 2 && are_a_pair(set, use))
+			continue;
 		for (size_t k = 0; k < run; k++) {
 			uint32_t number = set->numbers.at[use[k].triangle];
 			int balance = 0;

@@ -4,11 +4,17 @@
 
 enum { SHORT_RUN = 24 }; /* edges of one point that are sorted in place */
 
-static struct edge_use
-use_of(const struct tcs_triangle *triangles, size_t triangle, int i)
+static uint32_t
+next_of(uint32_t k)
 {
-	uint32_t a = triangles[triangle].corner[i];
-	uint32_t b = triangles[triangle].corner[(i + 1) % 3];
+	return k < 2 ? k + 1 : 0;
+}
+
+static struct edge_use
+use_of(const struct tcs_triangle *triangles, size_t triangle, uint32_t k)
+{
+	uint32_t a = triangles[triangle].corner[k];
+	uint32_t b = triangles[triangle].corner[next_of(k)];
 	bool forward = a < b;
 
 	return (struct edge_use){
@@ -56,7 +62,9 @@ distribute(struct edge_table *table, const struct tcs_triangle *triangles,
 		starts[p + 1] += starts[p];
 	table->uses.count = starts[point_count];
 	for (size_t i = 0; i < count; i++) {
-		for (int k = 0; k < 3 && !is_collapsed(&triangles[i]); k++) {
+		if (is_collapsed(&triangles[i]))
+			continue;
+		for (uint32_t k = 0; k < 3; k++) {
 			struct edge_use use = use_of(triangles, i, k);
 
 			table->uses.at[starts[use.low]++] = use;
@@ -80,9 +88,12 @@ edge_table_build(struct edge_table *table, const struct tcs_triangle *triangles,
 		free(starts);
 		return fault_memory(fault);
 	}
-	for (size_t i = 0; i < count; i++)
-		for (int k = 0; k < 3 && !is_collapsed(&triangles[i]); k++)
+	for (size_t i = 0; i < count; i++) {
+		if (is_collapsed(&triangles[i]))
+			continue;
+		for (uint32_t k = 0; k < 3; k++)
 			starts[use_of(triangles, i, k).low + 1]++;
+	}
 	distribute(table, triangles, count, starts, point_count);
 	free(starts);
 	return TCS_OK;

@@ -49,7 +49,7 @@ static enum tcs_status
 make_room(struct weld *weld, const struct tcs_point *points, size_t count,
 	struct tcs_fault *fault)
 {
-	size_t room = weld->slots.count ? 4 * weld->slots.count : LEAST_SLOTS;
+	size_t room = weld->slots.count ? 2 * weld->slots.count : LEAST_SLOTS;
 
 	if (array_grow(&weld->slots, room - weld->slots.count))
 		return fault_memory(fault);
