@@ -332,8 +332,30 @@ ask_edge(struct look *look, const struct edge *edge)
 
 /* ---- edges near edges ---------------------------------------------------- */
 
+static bool
+range_meets(double a, double b, float low, float high)
+{
+	double least = a < b ? a : b, most = a < b ? b : a;
+
+	return least <= (double)high && most >= (double)low;
+}
+
+/* Whether the box around an edge meets another. */
+static bool
+edge_is_near(const struct edge *edge, const struct float_box *box)
+{
+	return range_meets(
+		       edge->from.x, edge->to.x, box->low[0], box->high[0]) &&
+		range_meets(
+			edge->from.y, edge->to.y, box->low[1], box->high[1]) &&
+		range_meets(
+			edge->from.z, edge->to.z, box->low[2], box->high[2]);
+}
+
+/* An edge with those of a face; `box` is around all that is in its reach. */
 static enum tcs_status
-compare_edges(struct look *look, const struct edge *edge, uint32_t face)
+compare_edges(struct look *look, const struct edge *edge,
+	const struct float_box *box, uint32_t face)
 {
 	uint32_t asks = face_at(look, face)->asks;
 	double reach = look->scene->reach;
@@ -344,7 +366,7 @@ compare_edges(struct look *look, const struct edge *edge, uint32_t face)
 		struct tcs_point points[2];
 		double gap;
 
-		if (!(asks >> k & TOUCH_EDGE))
+		if (!(asks >> k & TOUCH_EDGE) || !edge_is_near(&other, box))
 			continue;
 		gap = segment_gap((struct tcs_point[]){edge->from, edge->to},
 			(struct tcs_point[]){other.from, other.to}, points);
@@ -366,7 +388,7 @@ ask_near_edges(struct look *look, const struct edge *edge)
 	enum tcs_status status = list_near(look, &box, &look->touches->there);
 
 	for (size_t i = 0; !status && i < there->count; i++)
-		status = compare_edges(look, edge, there->at[i]);
+		status = compare_edges(look, edge, &box, there->at[i]);
 	return status;
 }
 
@@ -381,26 +403,6 @@ box_around_component(const struct look *look, uint32_t component)
 		(struct tcs_point){box->low[0], box->low[1], box->low[2]},
 		(struct tcs_point){box->high[0], box->high[1], box->high[2]},
 		look->scene->reach);
-}
-
-static bool
-range_meets(double a, double b, float low, float high)
-{
-	double least = a < b ? a : b, most = a < b ? b : a;
-
-	return least <= (double)high && most >= (double)low;
-}
-
-/* Whether the box around an edge meets another. */
-static bool
-edge_is_near(const struct edge *edge, const struct float_box *box)
-{
-	return range_meets(
-		       edge->from.x, edge->to.x, box->low[0], box->high[0]) &&
-		range_meets(
-			edge->from.y, edge->to.y, box->low[1], box->high[1]) &&
-		range_meets(
-			edge->from.z, edge->to.z, box->low[2], box->high[2]);
 }
 
 typedef enum tcs_status ask(struct look *look, const struct edge *edge);
