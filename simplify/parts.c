@@ -7,8 +7,6 @@
 #include "node_queue.h"
 #include "vector.h"
 
-enum { MOST_CARRIED = 4096 };
-
 struct search {
 	struct parts *parts;
 	const struct component_set *set;
@@ -434,128 +432,6 @@ parts_find(struct parts *parts, const struct component_set *set,
 	return status ? status : find_standing(&search, reach);
 }
 
-/* ---- taking away --------------------------------------------------------- */
-
-/* Those that a part carries, directly or through others, behind it in the
-   queue, all marked; false when they are too many. */
-static bool
-list_carried(struct parts *parts, uint32_t part)
-{
-	parts->mark++;
-	parts->queue.count = 0;
-	parts->queue.at[parts->queue.count++] = part;
-	parts->marks.at[part] = parts->mark;
-	for (size_t next = 0; next < parts->queue.count; next++) {
-		uint32_t carrier = parts->queue.at[next];
-		const struct part *own = &parts->at.at[carrier];
-
-		for (uint32_t i = 0; own->children > 0 && i < own->link_count;
-			i++) {
-			uint32_t other = parts->links.at[own->first_link + i];
-
-			if (parts->at.at[other].parent != carrier ||
-				parts->marks.at[other] == parts->mark)
-				continue;
-			if (parts->queue.count > MOST_CARRIED)
-				return false;
-			parts->marks.at[other] = parts->mark;
-			parts->queue.at[parts->queue.count++] = other;
-		}
-	}
-	return true;
-}
-
-/* A part beside this one that stands, and not because of the one that goes. */
-static uint32_t
-other_carrier(const struct parts *parts, uint32_t part)
-{
-	const struct part *own = &parts->at.at[part];
-
-	for (uint32_t i = 0; i < own->link_count; i++) {
-		uint32_t other = parts->links.at[own->first_link + i];
-
-		if (!parts->at.at[other].gone &&
-			parts->marks.at[other] != parts->mark)
-			return other;
-	}
-	return TCS_NONE;
-}
-
-static void
-put_on_another(struct parts *parts, uint32_t part, uint32_t carrier)
-{
-	parts->marks.at[part] = 0;
-	parts->carriers.at[parts->carriers.count++] =
-		(struct part_carrier){part, carrier};
-}
-
-/*
- * Find another carrier for all that a part carries, each after its own one;
- * whether there is one for all.
- */
-static bool
-find_carriers(struct parts *parts)
-{
-	size_t carried = parts->queue.count;
-
-	parts->carriers.count = 0;
-	for (size_t i = 1; i < carried; i++) {
-		uint32_t part = parts->queue.at[i];
-		uint32_t carrier = other_carrier(parts, part);
-
-		if (carrier != TCS_NONE)
-			put_on_another(parts, part, carrier);
-	}
-	for (size_t next = 0; next < parts->carriers.count; next++) {
-		uint32_t carrier = parts->carriers.at[next].part;
-		const struct part *own = &parts->at.at[carrier];
-
-		for (uint32_t i = 0; i < own->link_count; i++) {
-			uint32_t other = parts->links.at[own->first_link + i];
-
-			if (parts->marks.at[other] == parts->mark &&
-				other != parts->queue.at[0])
-				put_on_another(parts, other, carrier);
-		}
-	}
-	return parts->carriers.count == carried - 1;
-}
-
-static void
-take_off(struct parts *parts, uint32_t part)
-{
-	uint32_t parent = parts->at.at[part].parent;
-
-	if (parent != part)
-		parts->at.at[parent].children--;
-}
-
-enum tcs_status
-parts_take_away(
-	struct parts *parts, uint32_t part, bool *gone, struct tcs_fault *fault)
-{
-	struct part *own = &parts->at.at[part];
-
-	*gone = false;
-	if (!list_carried(parts, part))
-		return TCS_OK;
-	if (array_grow(&parts->carriers, parts->queue.count))
-		return fault_memory(fault);
-	if (!find_carriers(parts))
-		return TCS_OK;
-	for (size_t i = 0; i < parts->carriers.count; i++) {
-		struct part_carrier moved = parts->carriers.at[i];
-
-		take_off(parts, moved.part);
-		put_on(parts, moved.part, moved.carrier);
-	}
-	take_off(parts, part);
-	own->parent = part;
-	own->gone = *gone = true;
-	parts->left.at[own->component]--;
-	return TCS_OK;
-}
-
 void
 parts_release(struct parts *parts)
 {
@@ -568,5 +444,6 @@ parts_release(struct parts *parts)
 	array_release(&parts->pairs);
 	array_release(&parts->queue);
 	array_release(&parts->marks);
+	array_release(&parts->hanging);
 	array_release(&parts->carriers);
 }

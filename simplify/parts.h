@@ -50,6 +50,7 @@ struct parts {
 	TCS_ARRAY(uint32_t) marks; /* scratch: per part */
 	TCS_ARRAY(struct part_carrier) carriers; /* scratch */
 	uint32_t mark;
+	TCS_ARRAY(uint32_t) hanging; /* see parts_find_hanging */
 };
 
 /*
@@ -71,6 +72,21 @@ enum tcs_status parts_find(struct parts *parts, const struct component_set *set,
  */
 enum tcs_status parts_take_away(struct parts *parts, uint32_t part, bool *gone,
 	struct tcs_fault *fault) TCS_CHECKED;
+
+/*
+ * List in `hanging` what would not stand without a part: itself, and what it
+ * carries and nothing else does, carriers first. None, where it carries more
+ * than that many. Fails with TCS_NO_MEMORY.
+ */
+enum tcs_status parts_find_hanging(struct parts *parts, uint32_t part,
+	struct tcs_fault *fault) TCS_CHECKED;
+
+/* Whether a part is among those that were listed last. */
+static inline bool
+parts_hangs(const struct parts *parts, uint32_t part)
+{
+	return parts->marks.at[part] == parts->mark;
+}
 
 /*
  * Make some of them one, which is number `host` from then on: it has the faces

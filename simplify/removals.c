@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "removal_price.h"
 #include "visible.h"
 
 /* A contact is worth a square of this share of the object's diagonal as wide,
@@ -10,295 +11,26 @@
 #define CONTACT_WIDTH 0.15
 #define CONTACT_DEPTH 0.0075
 
-/* A contact of which both sides are seen, or a surface that is, is worth so
-   many times as much. */
-#define SEEN_FACTOR 4
-
 /* Beyond this share of the diagonal from what stays the price rises steeply. */
 #define FAR 0.01
 
 /* From where it is looked at: see visible.h. */
 #define LOWEST_VIEW (-0.1)
 
-enum { MOST_SAMPLES = 16, VIEWS = 24 };
+enum { VIEWS = 24 };
 
 /* Pixels: pictures are so wide, by the root of the number of triangles. */
 enum { SMALLEST_VIEW = 64, LARGEST_VIEW = 2048, PER_ROOT = 2 };
 
-/* ---- how far its surface is from what stays ------------------------------- */
-
-/* A tree over the triangles of a part; grown when it is first asked for. */
-static enum tcs_status
-root_of(struct removals *removals, uint32_t part, uint32_t *root,
-	struct tcs_fault *fault)
-{
-	const struct component_set *set = removals->work->set;
-	const struct part *own = &removals->parts.at.at[part];
-	const uint32_t *faces = removals->parts.faces.at + own->first;
-	enum tcs_status status = TCS_OK;
-
-	if (removals->roots.at[part] == TCS_NONE) {
-		array_clear(&removals->items);
-		if (array_grow(&removals->items, own->count))
-			return fault_memory(fault);
-		for (uint32_t i = 0; i < own->count; i++)
-			removals->items.at[i] =
-				removals->work->sheets->face_triangles
-					.at[faces[i]];
-		status = triangle_tree_add(&removals->tree, set->points.at,
-			set->triangles.at, removals->items.at, own->count,
-			&removals->roots.at[part], fault);
-	}
-	*root = removals->roots.at[part];
-	return status;
-}
-
-enum tcs_status
-removals_distance(struct removals *removals, uint32_t part,
-	struct tcs_point from, double reach, double *distance,
-	struct tcs_fault *fault)
-{
-	uint32_t root = TCS_NONE;
-	enum tcs_status status = root_of(removals, part, &root, fault);
-
-	if (!status)
-		*distance = triangle_tree_nearest(
-			&removals->tree, root, from, reach)
-				    .distance;
-	return status;
-}
-
-/* How far the surface of a part is from what stays of those linked to it. */
-struct reaching {
-	struct removals *removals;
-	const struct part *own;
-	uint32_t nearest; /* link: what was nearest to the last point */
-	double most; /* of the points so far; INFINITY: none of them stays */
-};
-
-/* A point that is not farther than another was does not matter. As far as the
-   part is long is as far as need be looked. */
-static enum tcs_status
-reach_from(struct reaching *reaching, struct tcs_point from,
-	struct tcs_fault *fault)
-{
-	struct removals *removals = reaching->removals;
-	const struct parts *parts = &removals->parts;
-	uint32_t first = reaching->own->first_link;
-	uint32_t count = reaching->own->link_count;
-	uint32_t begin = reaching->nearest;
-	double least = box_diagonal(&reaching->own->box);
-	bool any = false;
-
-	for (uint32_t i = 0; i < count; i++) {
-		uint32_t link =
-			begin + i < count ? begin + i : begin + i - count;
-		uint32_t other = parts->links.at[first + link];
-		enum tcs_status status;
-		double distance;
-
-		if (parts->at.at[other].gone)
-			continue;
-		any = true;
-		status = removals_distance(
-			removals, other, from, least, &distance, fault);
-		if (status)
-			return status;
-		if (distance < least) {
-			least = distance;
-			reaching->nearest = link;
-		}
-		if (least <= reaching->most)
-			return TCS_OK;
-	}
-	reaching->most = any ? least : INFINITY;
-	return TCS_OK;
-}
-
-static enum tcs_status
-distance_of(struct removals *removals, const struct part *own, double *distance,
-	struct tcs_fault *fault)
-{
-	const struct collapses *work = removals->work;
-	struct reaching reaching = {.removals = removals, .own = own};
-	uint32_t step = own->count / MOST_SAMPLES + 1;
-	enum tcs_status status = TCS_OK;
-
-	for (uint32_t i = 0; !status && i < own->count; i += step) {
-		uint32_t face = removals->parts.faces.at[own->first + i];
-		struct triangle_shape shape = component_set_shape(
-			work->set, work->sheets->face_triangles.at[face]);
-
-		status = reach_from(&reaching, triangle_centre(&shape), fault);
-		for (int k = 0; !status && k < 3; k++)
-			status = reach_from(&reaching, shape.corner[k], fault);
-	}
-	*distance = reaching.most;
-	return status;
-}
-
-/* Nothing that stays comes nearer: what was found out holds until something goes
-   that a part is linked to. */
-static enum tcs_status
-know_distance(struct removals *removals, uint32_t part, struct tcs_fault *fault)
-{
-	double distance;
-	enum tcs_status status;
-
-	if (removals->asked.at[part])
-		return TCS_OK;
-	status = distance_of(
-		removals, &removals->parts.at.at[part], &distance, fault);
-	if (status)
-		return status;
-	removals->asked.at[part] = true;
-	removals->distances.at[part] =
-		fmax(removals->distances.at[part], distance);
-	return TCS_OK;
-}
-
-/* ---- what breaks --------------------------------------------------------- */
-
-/* The contacts of the points that a part holds, and how many of each. */
-static enum tcs_status
-list_contacts(struct removals *removals, const struct part *part,
-	struct tcs_fault *fault)
-{
-	const struct seams *seams = removals->work->seams;
-
-	removals->contacts.count = 0;
-	for (uint32_t i = 0; i < part->count; i++) {
-		uint32_t face = removals->parts.faces.at[part->first + i];
-
-		for (uint32_t hold = seams->faces.at[face]; hold != TCS_NONE;
-			hold = seams->holds.at[hold].next) {
-			uint32_t contact = seams->points.at[hold / 2].contact;
-
-			if (removals->held.at[contact]++)
-				continue;
-			if (array_grow(&removals->contacts, 1))
-				return fault_memory(fault);
-			removals->contacts.at[removals->contacts.count++] =
-				contact;
-		}
-	}
-	return TCS_OK;
-}
-
-/* For how many a contact counts, as far as that is known. */
-static double
-worth_of(const struct removals *removals, uint32_t contact)
-{
-	const struct collapses *work = removals->work;
-
-	return work->worths.count > 0 ? (double)work->worths.at[contact] : 1;
-}
-
-/* How many contacts break, by their worth, and parts of contacts as parts. The
-   list is used up. */
-static double
-count_broken(struct removals *removals, const struct part *part)
-{
-	const struct seams *seams = removals->work->seams;
-	double broken = 0;
-
-	for (size_t i = 0; i < removals->contacts.count; i++) {
-		uint32_t contact = removals->contacts.at[i];
-		const struct seam_count *count = &seams->counts.at[contact];
-		uint32_t open = count->open + removals->held.at[contact];
-
-		removals->held.at[contact] = 0;
-		broken += (seam_broken(count, open) -
-				  seam_broken(count, count->open)) *
-			worth_of(removals, contact);
-	}
-	removals->contacts.count = 0;
-	if (removals->parts.left.at[part->component] == 1)
-		broken += removals->parts.enclosed.at[part->component];
-	return broken;
-}
-
-/* How many surfaces have no face outside of a part: those of its faces are
-   together, as a rule. */
-static double
-count_vanishing(const struct removals *removals, const struct part *part)
-{
-	const struct collapses *work = removals->work;
-	double vanishing = 0;
-	uint32_t faces = 0, corners[3];
-
-	for (uint32_t i = 0; i < part->count; i++) {
-		uint32_t face = removals->parts.faces.at[part->first + i];
-		uint32_t feature = work->features.at[face];
-
-		if (i > 0 &&
-			feature !=
-				work->features.at[removals->parts.faces
-							  .at[part->first + i -
-								  1]])
-			faces = 0;
-		if (!half_edges_corners(work->mesh, face, corners))
-			continue;
-		vanishing += ++faces == work->surfaces.at[feature];
-	}
-	return vanishing;
-}
-
-/* ---- the price ----------------------------------------------------------- */
-
-uint32_t
-removals_faces(const struct removals *removals, uint32_t number)
-{
-	const struct part *part = &removals->parts.at.at[number];
-	uint32_t count = 0, corners[3];
-
-	for (uint32_t i = 0; i < part->count; i++)
-		count += half_edges_corners(removals->work->mesh,
-			removals->parts.faces.at[part->first + i], corners);
-	return count;
-}
-
-/* With what is known so far of how far it is and how much of it is seen. */
-static enum tcs_status
-price_of(struct removals *removals, uint32_t number, double *price,
-	struct tcs_fault *fault)
-{
-	const struct part *part = &removals->parts.at.at[number];
-	double distance = removals->distances.at[number];
-	double visible =
-		removals->visible.count ? removals->visible.at[number] : 0;
-	double allowed = removals->work->settings.max_error;
-	uint32_t faces = removals_faces(removals, number);
-	enum tcs_status status;
-	double broken, covered = 0;
-
-	*price = INFINITY;
-	if (!faces || distance == INFINITY ||
-		(allowed > 0 && distance > allowed))
-		return TCS_OK;
-	status = cover_watch_worth(removals->work,
-		removals->parts.faces.at + part->first, part->count, &covered,
-		fault);
-	if (!status)
-		status = list_contacts(removals, part, fault);
-	if (status)
-		return status;
-	broken = covered + count_broken(removals, part) +
-		count_vanishing(removals, part) *
-			(visible > 0 ? SEEN_FACTOR : 1);
-	*price = (fmax(visible, HIDDEN_SHARE * part->area) *
-				 removals_steep(removals, distance) +
-			 broken * removals->contact_cost) /
-		(0.5 * faces);
-	return TCS_OK;
-}
+/* ---- in the queue -------------------------------------------------------- */
 
 static enum tcs_status
 judge(struct removals *removals, uint32_t number, struct tcs_fault *fault)
 {
 	double price;
-	enum tcs_status status = price_of(removals, number, &price, fault);
+	enum tcs_status status = removal_price(removals, number, &price, fault);
 
+	removals->with_stack.at[number] = false;
 	if (!status)
 		node_queue_set(&removals->queue, number, price);
 	return status;
@@ -411,8 +143,10 @@ make_room(struct removals *removals, struct tcs_fault *fault)
 	array_clear(&removals->held);
 	array_clear(&removals->roots);
 	array_clear(&removals->asked);
+	array_clear(&removals->with_stack);
 	if (array_grow(&removals->distances, removals->parts.count) ||
 		array_grow(&removals->asked, removals->parts.count) ||
+		array_grow(&removals->with_stack, removals->parts.count) ||
 		array_grow(&removals->roots, removals->parts.count) ||
 		array_grow(&removals->held, contacts))
 		return fault_memory(fault);
@@ -421,7 +155,7 @@ make_room(struct removals *removals, struct tcs_fault *fault)
 		removals->held.at[i] = 0;
 	for (size_t i = 0; i < removals->parts.count; i++) {
 		removals->roots.at[i] = TCS_NONE;
-		removals->asked.at[i] = false;
+		removals->asked.at[i] = removals->with_stack.at[i] = false;
 	}
 	return TCS_OK;
 }
@@ -544,24 +278,68 @@ removals_join(struct removals *removals, const uint32_t *parts, size_t count,
 	return judge(removals, host, fault);
 }
 
+/* What was priced goes, what stands on others first. */
+static enum tcs_status
+take_stack(struct removals *removals, struct tcs_fault *fault)
+{
+	const struct parts *parts = &removals->parts;
+	enum tcs_status status = TCS_OK;
+
+	for (size_t i = parts->hanging.count; !status && i-- > 0;)
+		status = removals_take(removals, parts->hanging.at[i], fault);
+	return status;
+}
+
+/* With all that hangs in the air without it. */
+static enum tcs_status
+try_stack(struct removals *removals, struct queue_entry own,
+	struct tcs_fault *fault)
+{
+	double price;
+	enum tcs_status status =
+		removal_stack_price(removals, own.node, &price, fault);
+
+	if (status)
+		return status;
+	if (price <= own.cost)
+		return take_stack(removals, fault);
+	removals->with_stack.at[own.node] = true;
+	node_queue_set(&removals->queue, own.node, price);
+	return TCS_OK;
+}
+
+static enum tcs_status
+try_alone(struct removals *removals, struct queue_entry own,
+	struct tcs_fault *fault)
+{
+	double price;
+	enum tcs_status status = removal_measure(removals, own.node, fault);
+
+	if (!status)
+		status = removal_price(removals, own.node, &price, fault);
+	if (status)
+		return status;
+	if (price > own.cost) {
+		node_queue_set(&removals->queue, own.node, price);
+		return TCS_OK;
+	}
+	status = removals_take(removals, own.node, fault);
+	return status || removals->parts.at.at[own.node].gone
+		? status
+		: try_stack(removals, own, fault);
+}
+
 enum tcs_status
 removals_try(struct removals *removals, struct tcs_fault *fault)
 {
 	struct queue_entry first = *node_queue_first(&removals->queue);
 	enum tcs_status status = removals_look(removals, fault);
-	double price;
 
-	if (!status)
-		status = know_distance(removals, first.node, fault);
-	if (!status)
-		status = price_of(removals, first.node, &price, fault);
 	if (status)
 		return status;
-	if (price > first.cost) {
-		node_queue_set(&removals->queue, first.node, price);
-		return TCS_OK;
-	}
-	return removals_take(removals, first.node, fault);
+	return removals->with_stack.at[first.node]
+		? try_stack(removals, first, fault)
+		: try_alone(removals, first, fault);
 }
 
 void
@@ -572,9 +350,12 @@ removals_release(struct removals *removals)
 	array_release(&removals->visible);
 	array_release(&removals->distances);
 	array_release(&removals->asked);
+	array_release(&removals->with_stack);
 	triangle_tree_release(&removals->tree);
 	array_release(&removals->roots);
 	array_release(&removals->items);
 	array_release(&removals->contacts);
 	array_release(&removals->held);
+	array_release(&removals->runs);
+	array_release(&removals->around);
 }

@@ -26,6 +26,11 @@ enum { MOST_LINKS = 1000 };
 /* What a contact that breaks costs, in an object of that size. */
 double contact_cost(const struct component_set *set);
 
+/* Faces of one surface. */
+struct surface_run {
+	uint32_t feature, faces;
+};
+
 /* All zero is empty; reused from object to object. */
 struct removals {
 	struct parts parts;
@@ -38,11 +43,15 @@ struct removals {
 	   whether it has been asked since that has changed. */
 	TCS_ARRAY(double) distances;
 	TCS_ARRAY(bool) asked;
+	/* Per part: its price is that of all that hangs in the air without it */
+	TCS_ARRAY(bool) with_stack;
 	struct triangle_tree tree; /* of parts that were asked for */
 	TCS_ARRAY(uint32_t) roots; /* per part: in the tree; TCS_NONE */
 	TCS_ARRAY(uint32_t) items; /* scratch: triangles of a part */
-	TCS_ARRAY(uint32_t) contacts; /* scratch: of one part */
+	TCS_ARRAY(uint32_t) contacts; /* scratch: of what goes */
 	TCS_ARRAY(uint32_t) held; /* scratch: per contact, points of it; or 0 */
+	TCS_ARRAY(struct surface_run) runs; /* scratch: of what goes */
+	TCS_ARRAY(uint32_t) around; /* scratch: parts that stay */
 	double reach; /* metres: what counts as touching */
 	double far; /* metres from what stays: beyond it the price is steep */
 	double contact_cost; /* of one that breaks */
@@ -63,8 +72,8 @@ double removals_next_cost(const struct removals *removals);
 
 /*
  * Look closer at the next removal: take the part away if it costs what it
- * seemed to, and nothing stands on it alone; else it is dearer from then on.
- * Fails with TCS_NO_MEMORY, TCS_SYSTEM.
+ * seemed to, with what would hang in the air without it; else it is dearer from
+ * then on. Fails with TCS_NO_MEMORY, TCS_LIMIT, TCS_SYSTEM.
  */
 enum tcs_status removals_try(
 	struct removals *removals, struct tcs_fault *fault) TCS_CHECKED;

@@ -111,6 +111,62 @@ what_hangs_together(void)
 	end(&sample, &removals);
 }
 
+/* How many would hang in the air without a part, itself among them. */
+static size_t
+count_hanging(const struct collapse_sample *sample, struct removals *removals,
+	uint32_t feature)
+{
+	struct tcs_fault fault;
+	uint32_t part = part_of(sample, removals, feature);
+
+	CHECK(!parts_find_hanging(&removals->parts, part, &fault));
+	CHECK(removals->parts.hanging.at[0] == part);
+	CHECK(parts_hangs(&removals->parts, part));
+	return removals->parts.hanging.count;
+}
+
+static void
+what_hangs_without_a_part_is_known(void)
+{
+	struct collapse_sample sample = {0};
+	struct removals removals = {0};
+
+	add_table(&sample, 0, true);
+	begin(&sample, &removals);
+	CHECK(count_hanging(&sample, &removals, LEG) == 1);
+	CHECK(count_hanging(&sample, &removals, TOP) == 2);
+	CHECK(parts_hangs(&removals.parts, part_of(&sample, &removals, VASE)));
+	CHECK(!parts_hangs(
+		&removals.parts, part_of(&sample, &removals, OTHER_LEG)));
+	CHECK(take_away(&sample, &removals, OTHER_LEG));
+	CHECK(count_hanging(&sample, &removals, LEG) == 3);
+	end(&sample, &removals);
+}
+
+/* A flat foot costs hardly anything, but carries what is large: both are cheaper
+   by the triangle than the large one alone. */
+static void
+what_stands_on_a_part_goes_with_it(void)
+{
+	struct collapse_sample sample = {0};
+	struct removals removals = {0};
+	struct tcs_fault fault;
+
+	sample_add_box(&sample, TOP, (struct tcs_point){0, 0, 0},
+		(struct tcs_point){20, 20, 1});
+	sample_add_box(&sample, LEG, (struct tcs_point){9.5, 9.5, 1},
+		(struct tcs_point){1, 1, 0.1});
+	sample_add_box(&sample, VASE, (struct tcs_point){8, 8, 1.1},
+		(struct tcs_point){4, 4, 4});
+	begin(&sample, &removals);
+	while (sample.work.face_count == 36 &&
+		removals_next_cost(&removals) < INFINITY)
+		CHECK(!removals_try(&removals, &fault));
+	CHECK(sample.work.face_count == 12);
+	CHECK(sample_has(&sample, 20, 20, 1));
+	end(&sample, &removals);
+}
+
 static void
 try_all(struct removals *removals)
 {
@@ -190,6 +246,8 @@ main(void)
 		CHECK_TEST(what_carries_stays),
 		CHECK_TEST(one_of_two_legs_goes),
 		CHECK_TEST(what_hangs_together),
+		CHECK_TEST(what_hangs_without_a_part_is_known),
+		CHECK_TEST(what_stands_on_a_part_goes_with_it),
 		CHECK_TEST(something_stays),
 		CHECK_TEST(the_hidden_go_first),
 		CHECK_TEST(seams_come_open),
