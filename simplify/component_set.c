@@ -43,12 +43,48 @@ component_set_begin(struct component_set *set, const struct tcs_object *object,
 	return TCS_OK;
 }
 
+/* Triangles in a row share corners: the number of a point that the last one
+   has; else TCS_NONE. */
+static uint32_t
+corner_of_last(const struct component_set *set, const struct tcs_point *point)
+{
+	size_t count = set->triangles.count;
+
+	for (int k = 0; count > 0 && k < 3; k++) {
+		uint32_t number = set->triangles.at[count - 1].corner[k];
+		const struct tcs_point *own = &set->points.at[number];
+
+		if (own->x == point->x && own->y == point->y &&
+			own->z == point->z)
+			return number;
+	}
+	return TCS_NONE;
+}
+
+/* There is room for it. */
+static enum tcs_status
+find_point(struct component_set *set, const struct tcs_point *point,
+	uint32_t *number, struct tcs_fault *fault)
+{
+	enum tcs_status status;
+
+	*number = corner_of_last(set, point);
+	if (*number != TCS_NONE)
+		return TCS_OK;
+	status = weld_find(&set->weld, set->points.at, set->points.count, point,
+		number, fault);
+	if (!status && *number == set->points.count)
+		set->points.at[set->points.count++] = *point;
+	return status;
+}
+
 enum tcs_status
 component_set_add(struct component_set *set, const struct tcs_point corners[3],
 	uint32_t feature, uint32_t shell, struct tcs_fault *fault)
 {
 	const uint32_t *hosts = set->hosts.count ? set->hosts.at : NULL;
 	struct tcs_triangle triangle;
+	enum tcs_status status = TCS_OK;
 
 	if (set->triangles.count >= (size_t)1 << 29)
 		return fault_set(fault, TCS_LIMIT, TCS_NOWHERE,
@@ -56,16 +92,11 @@ component_set_add(struct component_set *set, const struct tcs_point corners[3],
 	if (array_grow(&set->points, 3) || array_grow(&set->triangles, 1) ||
 		array_grow(&set->features, 1) || array_grow(&set->bodies, 1))
 		return fault_memory(fault);
-	for (int i = 0; i < 3; i++) {
-		enum tcs_status status =
-			weld_find(&set->weld, set->points.at, set->points.count,
-				corners[i], &triangle.corner[i], fault);
-
-		if (status)
-			return status;
-		if (triangle.corner[i] == set->points.count)
-			set->points.at[set->points.count++] = corners[i];
-	}
+	for (int i = 0; !status && i < 3; i++)
+		status = find_point(
+			set, &corners[i], &triangle.corner[i], fault);
+	if (status)
+		return status;
 	set->triangles.at[set->triangles.count++] = triangle;
 	set->features.at[set->features.count++] = feature;
 	/* Shells count down from the top, where no features are. */

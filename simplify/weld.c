@@ -16,30 +16,30 @@ mixed(uint64_t bits, double value)
 }
 
 static size_t
-hash_point(struct tcs_point point)
+hash_point(const struct tcs_point *point)
 {
 	uint64_t bits =
-		mixed(mixed(mixed(0x2545f491u, point.x), point.y), point.z);
+		mixed(mixed(mixed(0x2545f491u, point->x), point->y), point->z);
 
 	bits *= 0xbf58476d1ce4e5b9u;
 	return (size_t)(bits ^ bits >> 32);
 }
 
 static int
-is_same(struct tcs_point a, struct tcs_point b)
+is_same(const struct tcs_point *a, const struct tcs_point *b)
 {
-	return a.x == b.x && a.y == b.y && a.z == b.z;
+	return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
 /* The slot of the point, or the free one where it belongs. */
 static uint32_t *
 slot_of(struct weld *weld, const struct tcs_point *points,
-	struct tcs_point point)
+	const struct tcs_point *point)
 {
 	size_t mask = weld->slots.count - 1, at = hash_point(point) & mask;
 	uint32_t *slots = weld->slots.at;
 
-	while (slots[at] && !is_same(points[slots[at] - 1], point))
+	while (slots[at] && !is_same(&points[slots[at] - 1], point))
 		at = (at + 1) & mask;
 	return &slots[at];
 }
@@ -56,13 +56,14 @@ make_room(struct weld *weld, const struct tcs_point *points, size_t count,
 	weld->slots.count = room;
 	memset(weld->slots.at, 0, room * sizeof *weld->slots.at);
 	for (size_t i = 0; i < count; i++)
-		*slot_of(weld, points, points[i]) = (uint32_t)(i + 1);
+		*slot_of(weld, points, &points[i]) = (uint32_t)(i + 1);
 	return TCS_OK;
 }
 
 enum tcs_status
 weld_find(struct weld *weld, const struct tcs_point *points, size_t count,
-	struct tcs_point point, uint32_t *number, struct tcs_fault *fault)
+	const struct tcs_point *point, uint32_t *number,
+	struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
 	uint32_t *slot;

@@ -26,7 +26,7 @@ struct weld {
  * average. Fails with TCS_NO_MEMORY.
  */
 enum tcs_status weld_find(struct weld *weld, const struct tcs_point *points,
-	size_t count, struct tcs_point point, uint32_t *number,
+	size_t count, const struct tcs_point *point, uint32_t *number,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /* No point is there; the room is kept unless it is much. */

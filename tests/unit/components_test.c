@@ -53,8 +53,8 @@ weld_all(const struct tcs_point *points, size_t count, uint32_t *numbers)
 	if (!distinct)
 		abort();
 	for (size_t i = 0; i < count; i++) {
-		CHECK(!weld_find(&weld, distinct, found, points[i], &numbers[i],
-			&fault));
+		CHECK(!weld_find(&weld, distinct, found, &points[i],
+			&numbers[i], &fault));
 		if (numbers[i] == found)
 			distinct[found++] = points[i];
 	}
