@@ -202,7 +202,7 @@ paint_all(struct painter *painter, struct object_pictures *out,
 
 		status = raster_draw(&painter->rasters[i], FINE, &painter->view,
 			set->points.at, set->points.count, set->triangles.at,
-			set->triangles.count, fault);
+			set->triangles.count, NULL, fault);
 	}
 	for (int i = 0; !status && i < PICTURE_COUNT; i++) {
 		paint(painter, i);

@@ -63,7 +63,7 @@ draw_one(void *context, size_t piece, size_t first, size_t end)
 	drawing->failed[piece] =
 		raster_draw(&drawing->pictures->rasters[side][number],
 			drawing->size, &view, set->points.at, set->points.count,
-			set->triangles.at, set->triangles.count, &fault);
+			set->triangles.at, set->triangles.count, NULL, &fault);
 }
 
 static enum tcs_status

@@ -235,12 +235,13 @@ draw_rows(struct raster *raster, const struct spot *a, const struct spot *b,
 
 static void
 draw_triangle(struct raster *raster, const struct spot *a, const struct spot *b,
-	const struct spot *c, uint32_t number)
+	const struct spot *c, uint32_t number, int front)
 {
 	double whole = turn(a, b, c->x, c->y);
 	int top, bottom;
 
-	if (!(fabs(whole) > 0) ||
+	/* Rows go down: what is counterclockwise turns the other way. */
+	if (!(fabs(whole) > 0) || front * whole > 0 ||
 		is_between_pixels(lesser(a->x, lesser(b->x, c->x)),
 			greater(a->x, greater(b->x, c->x))))
 		return;
@@ -275,7 +276,7 @@ enum tcs_status
 raster_draw(struct raster *raster, unsigned size, const struct view *view,
 	const struct tcs_point *points, size_t point_count,
 	const struct tcs_triangle *triangles, size_t triangle_count,
-	struct tcs_fault *fault)
+	const signed char *fronts, struct tcs_fault *fault)
 {
 	struct spot *spots = calloc(point_count + 1, sizeof *spots);
 	enum tcs_status status =
@@ -289,7 +290,8 @@ raster_draw(struct raster *raster, unsigned size, const struct view *view,
 		const struct spot *c = &spots[triangles[i].corner[2]];
 
 		if (a->nearness > 0 && b->nearness > 0 && c->nearness > 0)
-			draw_triangle(raster, a, b, c, (uint32_t)i);
+			draw_triangle(raster, a, b, c, (uint32_t)i,
+				fronts ? fronts[i] : 0);
 	}
 	free(spots);
 	return status;

@@ -54,12 +54,15 @@ struct raster {
 
 /*
  * Draw all triangles whose corners are seen. A pixel shows what is nearest at
- * its middle. Fails with TCS_NO_MEMORY.
+ * its middle. `fronts` has 1 for a triangle that is seen only from where it is
+ * counterclockwise, -1 only from the other side, 0 from both; NULL: all are
+ * seen from both. Fails with TCS_NO_MEMORY.
  */
 enum tcs_status raster_draw(struct raster *raster, unsigned size,
 	const struct view *view, const struct tcs_point *points,
 	size_t point_count, const struct tcs_triangle *triangles,
-	size_t triangle_count, struct tcs_fault *fault) TCS_CHECKED;
+	size_t triangle_count, const signed char *fronts,
+	struct tcs_fault *fault) TCS_CHECKED;
 void raster_release(struct raster *raster);
 
 #endif

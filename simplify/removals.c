@@ -49,26 +49,47 @@ picture_size(size_t triangles)
 				      : LARGEST_VIEW;
 }
 
-/* areas[i] is what is seen of triangle i; groups is scratch. */
-static enum tcs_status
-look_at_triangles(const struct removals *removals, uint32_t *groups,
-	double *areas, struct tcs_fault *fault)
+/* The triangles as they are looked at. */
+struct looked_at {
+	uint32_t *groups; /* their parts */
+	signed char *fronts; /* see visible.h */
+	double *areas; /* that are seen of them */
+};
+
+static void
+sort_triangles(const struct removals *removals, const struct looked_at *all)
 {
 	const struct component_set *set = removals->work->set;
 	const struct parts *parts = &removals->parts;
 	const uint32_t *faces = removals->work->sheets->triangle_faces.at;
+
+	for (size_t i = 0; i < set->triangles.count; i++) {
+		double volume = set->components.at[set->numbers.at[i]].volume;
+
+		all->groups[i] = faces[i] == TCS_NONE
+			? (uint32_t)parts->count
+			: parts->numbers.at[faces[i]];
+		all->fronts[i] = (signed char)((volume > 0) - (volume < 0));
+	}
+}
+
+static enum tcs_status
+see_triangles(const struct removals *removals, const struct looked_at *all,
+	struct tcs_fault *fault)
+{
+	const struct component_set *set = removals->work->set;
 	const struct visible_views views = {.directions = VIEWS,
 		.lowest = LOWEST_VIEW,
 		.size = picture_size(set->triangles.count),
 		.jobs = set->jobs,
-		.groups = groups,
-		.group_count = parts->count + 1};
+		.groups = all->groups,
+		.group_count = removals->parts.count + 1,
+		.fronts = all->fronts};
 
-	for (size_t i = 0; i < set->triangles.count; i++)
-		groups[i] = faces[i] == TCS_NONE ? (uint32_t)parts->count
-						 : parts->numbers.at[faces[i]];
+	sort_triangles(removals, all);
 	return visible_find(set->points.at, set->points.count,
-		set->triangles.at, set->triangles.count, &views, areas, fault);
+		set->triangles.at, set->triangles.count, &views, all->areas,
+		fault);
 }
 
 /* The mean area, as projected, that is seen of every part. */
@@ -77,17 +98,19 @@ look_at_parts(struct removals *removals, struct tcs_fault *fault)
 {
 	const struct sheets *sheets = removals->work->sheets;
 	size_t count = removals->work->set->triangles.count;
-	double *areas = calloc(count + 1, sizeof *areas);
-	uint32_t *groups = calloc(count + 1, sizeof *groups);
-	enum tcs_status status = areas && groups
-		? look_at_triangles(removals, groups, areas, fault)
+	struct looked_at all = {calloc(count + 1, sizeof *all.groups),
+		calloc(count + 1, sizeof *all.fronts),
+		calloc(count + 1, sizeof *all.areas)};
+	enum tcs_status status = all.groups && all.fronts && all.areas
+		? see_triangles(removals, &all, fault)
 		: fault_memory(fault);
 
 	for (size_t i = 0; !status && i < sheets->face_triangles.count; i++)
 		removals->visible.at[removals->parts.numbers.at[i]] +=
-			areas[sheets->face_triangles.at[i]];
-	free(areas);
-	free(groups);
+			all.areas[sheets->face_triangles.at[i]];
+	free(all.groups);
+	free(all.fronts);
+	free(all.areas);
 	return status;
 }
 

@@ -149,10 +149,10 @@ draw_some(void *context, size_t piece, size_t first, size_t end)
 		struct view view = view_parallel(looking->ways[number],
 			looking->middle, looking->radius);
 
-		tally->failed =
-			raster_draw(&tally->raster, looking->views->size, &view,
-				looking->points, looking->point_count,
-				looking->triangles, looking->count, &fault);
+		tally->failed = raster_draw(&tally->raster,
+			looking->views->size, &view, looking->points,
+			looking->point_count, looking->triangles,
+			looking->count, looking->views->fronts, &fault);
 		if (tally->failed)
 			break;
 		count_pixels(tally);
@@ -232,17 +232,20 @@ area_by_rays(const struct looking *looking, size_t i, uint64_t open)
 	struct tcs_point centre = centre_of(&shape);
 	struct tcs_point normal = triangle_normal(&shape);
 	unsigned count = looking->views->directions;
+	const signed char *fronts = looking->views->fronts;
+	int front = fronts ? fronts[i] : 0;
 	uint32_t blocker = TCS_NONE;
 
 	for (unsigned k = 0; k < count; k++) {
 		struct tcs_point out;
-		double slant;
+		double along, slant;
 
 		if (!(open >> k & 1))
 			continue;
 		out = vector_scaled(looking->ways[k], -1);
-		slant = fabs(vector_dot(normal, out)) / 2;
-		if (slant > 0 &&
+		along = vector_dot(normal, out);
+		slant = fabs(along) / 2;
+		if (slant > 0 && front * along >= 0 &&
 			!is_blocked(looking,
 				vector_along(
 					centre, out, 1e-7 * looking->radius),

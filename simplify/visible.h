@@ -38,6 +38,10 @@ struct visible_views {
 	   Of a group that some pixel shows, no ray looks for the rest. */
 	const uint32_t *groups;
 	size_t group_count;
+	/* 1 for each triangle of a closed surface that looks out of it, and so
+	   hides its own inner side; -1 for one that looks in; 0 for any other.
+	   NULL: none is closed. */
+	const signed char *fronts;
 };
 
 /* From everywhere, below included. */

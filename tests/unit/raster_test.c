@@ -56,7 +56,7 @@ draw(struct raster *raster, struct component_set *set)
 	CHECK(!component_set_build(set, &fault));
 	CHECK(!raster_draw(raster, 100, &view, set->points.at,
 		set->points.count, set->triangles.at, set->triangles.count,
-		&fault));
+		NULL, &fault));
 }
 
 static void
@@ -88,6 +88,29 @@ what_is_nearer_hides_what_is_behind(void)
 	CHECK(count_pixels(&raster, &set, 2) == 0);
 	raster_release(&raster);
 	component_set_release(&set);
+}
+
+/* Both triangles of the square are counterclockwise as they are seen. */
+static void
+what_has_a_front_is_seen_only_from_there(void)
+{
+	for (int front = -1; front <= 1; front++) {
+		const signed char fronts[2] = {(signed char)front, 0};
+		struct component_set set = {0};
+		struct raster raster = {0};
+		struct view view = view_along_x();
+		struct tcs_fault fault;
+
+		set_square(&set, 0, 0.5, 1);
+		CHECK(!component_set_build(&set, &fault));
+		CHECK(!raster_draw(&raster, 100, &view, set.points.at,
+			set.points.count, set.triangles.at, set.triangles.count,
+			fronts, &fault));
+		CHECK((raster.triangles[60 * 100 + 55] == 0) == (front >= 0));
+		CHECK(raster.triangles[40 * 100 + 45] == 1);
+		raster_release(&raster);
+		component_set_release(&set);
+	}
 }
 
 static void
@@ -169,7 +192,7 @@ parallel_rays_see_the_same_size_at_any_distance(void)
 		CHECK(!component_set_build(&set, &fault));
 		CHECK(!raster_draw(&raster, 100, &view, set.points.at,
 			set.points.count, set.triangles.at, set.triangles.count,
-			&fault));
+			NULL, &fault));
 		CHECK(count_pixels(&raster, &set, 2) == (i ? 0 : 26 * 26));
 		CHECK(count_pixels(&raster, &set, 1) ==
 			(i ? 0 : 50 * 50 - 26 * 26));
@@ -181,6 +204,7 @@ parallel_rays_see_the_same_size_at_any_distance(void)
 static const struct check_test tests[] = {
 	CHECK_TEST(a_square_has_the_pixels_of_its_perspective),
 	CHECK_TEST(what_is_nearer_hides_what_is_behind),
+	CHECK_TEST(what_has_a_front_is_seen_only_from_there),
 	CHECK_TEST(what_is_behind_the_eye_or_partly_so_is_not_drawn),
 	CHECK_TEST(a_triangle_wider_than_the_picture_fills_it),
 	CHECK_TEST(the_ray_of_a_pixel_meets_what_it_shows),

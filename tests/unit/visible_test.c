@@ -154,6 +154,30 @@ what_is_thinner_than_a_pixel_is_seen_where_it_lies_open(void)
 }
 
 static void
+what_is_closed_is_seen_from_where_it_looks(void)
+{
+	struct visible_views views = VISIBLE_ALL_ROUND;
+	signed char fronts[MOST];
+
+	views.size = 256;
+	views.fronts = fronts;
+	mesh.count = 0;
+	mesh_box(point(0, 0, 0), point(100, 100, 100));
+	mesh_box(point(40, 40, 40), point(50, 50, 50));
+	/* A wire that no pixel shows. */
+	mesh_box(point(10, 50, 100), point(90, 50.0001, 100.0001));
+	memset(fronts, 1, mesh.count);
+	look(&views);
+	CHECK(count_seen(0, 12) == 12);
+	CHECK(count_seen(12, 12) == 0);
+	CHECK(count_seen(26, 10) == 10);
+	/* Turned inside out, the large one can be looked into. */
+	memset(fronts, -1, 12);
+	look(&views);
+	CHECK(count_seen(12, 12) == 12);
+}
+
+static void
 what_stands_out_is_seen_from_below_but_not_from_the_air(void)
 {
 	struct visible_views views = VISIBLE_FROM_STREETS;
@@ -208,6 +232,7 @@ static const struct check_test tests[] = {
 	CHECK_TEST(what_stands_behind_an_opening_is_seen),
 	CHECK_TEST(faces_that_touch_hide_each_other),
 	CHECK_TEST(what_is_thinner_than_a_pixel_is_seen_where_it_lies_open),
+	CHECK_TEST(what_is_closed_is_seen_from_where_it_looks),
 	CHECK_TEST(what_stands_out_is_seen_from_below_but_not_from_the_air),
 	CHECK_TEST(the_number_of_threads_changes_nothing),
 	CHECK_TEST(no_triangles_and_flat_ones_are_no_trouble),
