@@ -58,38 +58,40 @@ last_link(const struct part *own)
 
 /* ---- how far it is off --------------------------------------------------- */
 
-/* How far a point is from its part as it came, and from those linked to it. */
+/* How far a point is from its part as it came, and from those linked to it; what
+   is not more than `enough` need not be less. */
 static enum tcs_status
 distance_before(const struct handles *handles, uint32_t part,
-	struct tcs_point from, double *least, struct tcs_fault *fault)
+	struct tcs_point from, double enough, double *least,
+	struct tcs_fault *fault)
 {
 	struct removals *removals = handles->removals;
 	const struct parts *parts = &removals->parts;
 	const struct part *own = &parts->at.at[part];
-	enum tcs_status status =
-		removals_distance(removals, part, from, INFINITY, least, fault);
+	enum tcs_status status = removals_distance(
+		removals, part, from, INFINITY, enough, least, fault);
 
-	for (uint32_t i = own->first_link; !status && i < last_link(own); i++) {
+	for (uint32_t i = own->first_link;
+		!status && *least > enough && i < last_link(own); i++) {
 		uint32_t other = parts->links.at[i];
 		double distance = INFINITY;
 
 		if (box_distance_squared(&parts->at.at[other].box, from) <
 			*least * *least)
 			status = removals_distance(removals, other, from,
-				*least, &distance, fault);
+				*least, enough, &distance, fault);
 		*least = fmin(*least, distance);
 	}
 	return status;
 }
 
-/* The caps' samples from the surface as it was. */
+/* The caps' samples from the surface as it was, where that is more. */
 static enum tcs_status
 caps_off(const struct handles *handles, uint32_t part, double *most,
 	struct tcs_fault *fault)
 {
 	enum tcs_status status = TCS_OK;
 
-	*most = 0;
 	for (size_t i = 0; !status && i < handles->rims.beyond.count; i++) {
 		struct triangle_shape cap = handle_cap_shape(handles, i);
 
@@ -100,8 +102,8 @@ caps_off(const struct handles *handles, uint32_t part, double *most,
 				: triangle_centre(&cap);
 			double off = 0;
 
-			status =
-				distance_before(handles, part, at, &off, fault);
+			status = distance_before(
+				handles, part, at, *most, &off, fault);
 			*most = fmax(*most, off);
 		}
 	}
@@ -449,13 +451,13 @@ handle_price(struct handles *handles, uint32_t number, bool adds, double *price,
 	struct tcs_fault *fault)
 {
 	const struct handle *handle = &handles->at.at[number];
-	double off, harm = 0, saved = 0, panels, added;
+	double off = faces_off(handles, handle);
+	double harm = 0, saved = 0, panels, added;
 	enum tcs_status status = caps_off(handles, handle->part, &off, fault);
 
 	*price = INFINITY;
 	if (status)
 		return status;
-	off = fmax(off, faces_off(handles, handle));
 	status = count_harm(handles, handle, adds, off, &harm, fault);
 	if (!status)
 		status = count_saved(handles, &saved, fault);

@@ -22,6 +22,10 @@ enum { GRID = 24 };
 /* Metres: no distance is rounded by more. */
 #define ROUNDING 1e-6
 
+/* What is nearer than this share of a distance is nearer, however it is
+   rounded. */
+#define CLEARLY 0.999
+
 /* ---- how far it is off --------------------------------------------------- */
 
 /* Into how many by how many parts a triangle is divided, so that all of an area
@@ -53,10 +57,12 @@ sample_of(const struct triangle_shape *shape, unsigned fine, unsigned number)
 		vector_difference(shape->corner[2], shape->corner[0]), v);
 }
 
-/* From what one of the parts came with, if that is less than `least`. */
+/* From what one of the parts came with, if that is less than `least`; but for
+   what is not more than `enough`. */
 static enum tcs_status
 distance_to_part(struct removals *removals, uint32_t part,
-	struct tcs_point from, double *least, struct tcs_fault *fault)
+	struct tcs_point from, double enough, double *least,
+	struct tcs_fault *fault)
 {
 	const struct box *box = &removals->parts.at.at[part].box;
 	double distance = INFINITY;
@@ -65,7 +71,7 @@ distance_to_part(struct removals *removals, uint32_t part,
 	if (!(box_distance_squared(box, from) < *least * *least))
 		return TCS_OK;
 	status = removals_distance(
-		removals, part, from, *least, &distance, fault);
+		removals, part, from, *least, enough, &distance, fault);
 	*least = fmin(*least, distance);
 	return status;
 }
@@ -87,15 +93,15 @@ distance_to_parts(const struct merge_plan *plan, struct removals *removals,
 	double step = vector_length(vector_difference(from, last->from));
 	double least = last->off + step + ROUNDING;
 	size_t first = last->nearest;
-	enum tcs_status status =
-		distance_to_part(removals, parts[first], from, &least, fault);
+	enum tcs_status status = distance_to_part(
+		removals, parts[first], from, 0, &least, fault);
 
 	for (size_t i = 0; !status && i < plan->parts.count; i++) {
 		double before = least;
 
 		if (i != first)
 			status = distance_to_part(
-				removals, parts[i], from, &least, fault);
+				removals, parts[i], from, 0, &least, fault);
 		if (least < before)
 			last->nearest = i;
 	}
@@ -118,7 +124,7 @@ is_hidden(const struct merge_plan *plan, struct removals *removals,
 
 		if (plan->parts.at[i] != part)
 			status = distance_to_part(removals, plan->parts.at[i],
-				from, &near, fault);
+				from, CLEARLY * near, &near, fault);
 		*hidden = near < removals->reach;
 	}
 	return status;

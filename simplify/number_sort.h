@@ -17,12 +17,34 @@ number_order(const void *left, const void *right)
 	return (*a > *b) - (*a < *b);
 }
 
-/* `at` may be NULL where there are none. */
+/* Lists that are longer are left to the library. */
+enum { NUMBER_SORT_MOST = 512 };
+
+/*
+ * `at` may be NULL where there are none.
+ *
+ * source: D. L. Shell, A high-speed sorting procedure, 1959; gaps of M. Ciura,
+ * Best increments for the average case of Shellsort, 2001.
+ */
 static inline void
 number_sort(uint32_t *at, size_t count)
 {
-	if (count > 1)
+	static const size_t gaps[] = {301, 132, 57, 23, 10, 4, 1};
+
+	if (count > NUMBER_SORT_MOST) {
 		qsort(at, count, sizeof *at, number_order);
+		return;
+	}
+	for (size_t g = 0; g < sizeof gaps / sizeof *gaps; g++)
+		for (size_t i = gaps[g]; i < count; i++) {
+			uint32_t own = at[i];
+			size_t place = i;
+
+			for (; place >= gaps[g] && at[place - gaps[g]] > own;
+				place -= gaps[g])
+				at[place] = at[place - gaps[g]];
+			at[place] = own;
+		}
 }
 
 /* The same, each once; how many are left. */

@@ -38,15 +38,15 @@ root_of(struct removals *removals, uint32_t part, uint32_t *root,
 
 enum tcs_status
 removals_distance(struct removals *removals, uint32_t part,
-	struct tcs_point from, double reach, double *distance,
+	struct tcs_point from, double reach, double enough, double *distance,
 	struct tcs_fault *fault)
 {
 	uint32_t root = TCS_NONE;
 	enum tcs_status status = root_of(removals, part, &root, fault);
 
 	if (!status)
-		*distance = triangle_tree_nearest(
-			&removals->tree, root, from, reach)
+		*distance = triangle_tree_near(
+			&removals->tree, root, from, reach, enough)
 				    .distance;
 	return status;
 }
@@ -81,8 +81,8 @@ reach_from(struct reaching *reaching, struct tcs_point from,
 		if (removals->parts.at.at[other].gone)
 			continue;
 		any = true;
-		status = removals_distance(
-			removals, other, from, least, &distance, fault);
+		status = removals_distance(removals, other, from, least,
+			reaching->most, &distance, fault);
 		if (status)
 			return status;
 		if (distance < least) {

@@ -113,9 +113,10 @@ enum tcs_status removals_hide(struct removals *removals, uint32_t part,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 /* How far a point is from the surface that a part came with, if not farther
-   than `reach`; else INFINITY. Fails with TCS_NO_MEMORY, TCS_LIMIT. */
+   than `reach`; else INFINITY. What is not more than `enough` may be less. Fails
+   with TCS_NO_MEMORY, TCS_LIMIT. */
 enum tcs_status removals_distance(struct removals *removals, uint32_t part,
-	struct tcs_point from, double reach, double *distance,
+	struct tcs_point from, double reach, double enough, double *distance,
 	struct tcs_fault *fault) TCS_CHECKED;
 
 void removals_release(struct removals *removals);

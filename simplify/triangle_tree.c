@@ -112,6 +112,7 @@ struct nearest {
 	const struct tcs_point *facing; /* NULL: either side will do */
 	struct tree_hit hit;
 	double square; /* of its distance, or of the reach */
+	double enough; /* of a distance at which it ends; 0: of none but that */
 };
 
 /* Whether the plane of a triangle is farther already, however it is rounded. */
@@ -164,7 +165,7 @@ find_nearest(
 	walk.height = 1;
 	walk.stack[0] = (struct walk_step){
 		root, box_distance_squared(&nodes[root].box, from)};
-	while (walk.height > 0) {
+	while (walk.height > 0 && !(search->hit.distance <= search->enough)) {
 		struct walk_step step = walk.stack[--walk.height];
 		const struct box_node *node = &nodes[step.node];
 
@@ -186,8 +187,15 @@ struct tree_hit
 triangle_tree_nearest(const struct triangle_tree *tree, uint32_t root,
 	struct tcs_point from, double reach)
 {
+	return triangle_tree_near(tree, root, from, reach, 0);
+}
+
+struct tree_hit
+triangle_tree_near(const struct triangle_tree *tree, uint32_t root,
+	struct tcs_point from, double reach, double enough)
+{
 	struct nearest search = {
-		from, NULL, {.distance = INFINITY}, reach * reach};
+		from, NULL, {.distance = INFINITY}, reach * reach, enough};
 
 	return find_nearest(tree, root, &search);
 }
@@ -197,7 +205,7 @@ triangle_tree_nearest_facing(const struct triangle_tree *tree, uint32_t root,
 	struct tcs_point from, struct tcs_point facing, double reach)
 {
 	struct nearest search = {
-		from, &facing, {.distance = INFINITY}, reach * reach};
+		from, &facing, {.distance = INFINITY}, reach * reach, 0};
 
 	return find_nearest(tree, root, &search);
 }

@@ -35,7 +35,11 @@ struct tree_hit {
 struct tree_hit triangle_tree_nearest(const struct triangle_tree *tree,
 	uint32_t root, struct tcs_point from, double reach);
 
-/* The same among the triangles that face the same side as `facing`. */
+/* The same, but whatever is not farther than `enough` will do. */
+struct tree_hit triangle_tree_near(const struct triangle_tree *tree,
+	uint32_t root, struct tcs_point from, double reach, double enough);
+
+/* The nearest among the triangles that face the same side as `facing`. */
 struct tree_hit triangle_tree_nearest_facing(const struct triangle_tree *tree,
 	uint32_t root, struct tcs_point from, struct tcs_point facing,
 	double reach);
