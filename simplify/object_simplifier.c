@@ -13,7 +13,7 @@
 /* In so many steps openings are dissolved. */
 #define OPENING_BATCHES 16
 
-/* Shares of the diagonal, see most_cost. */
+/* Shares of the diagonal, see most_costs. */
 #define WIDEST 0.2
 #define FARTHEST_OFF 0.1
 
@@ -98,14 +98,21 @@ dissolve_openings(struct object_simplifier *simplifier, size_t count, bool *any,
 }
 
 /* What nothing may cost: the shape of a square as wide as a fifth of the
-   object's diagonal, off by half of that. */
-static double
-most_cost(const struct object_simplifier *simplifier)
+   object's diagonal, off by half of that. What takes whole parts away or
+   replaces them counts that steeply. */
+struct most_costs {
+	double collapse, other;
+};
+
+static struct most_costs
+most_costs(const struct object_simplifier *simplifier)
 {
 	double diagonal = box_diagonal(&simplifier->source.set.bounds);
 	double side = WIDEST * diagonal, off = FARTHEST_OFF * diagonal;
+	double steep = removals_steep(&simplifier->removals, off);
 
-	return fmax(side * side * off * off, DBL_MIN);
+	return (struct most_costs){fmax(side * side * off * off, DBL_MIN),
+		fmax(side * side * steep, DBL_MIN)};
 }
 
 /* Collapse; dissolve openings, close handles, make parts one and take them away
@@ -121,7 +128,7 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 	struct merges *merges = &simplifier->merges;
 	size_t batch = openings->by_area.count / OPENING_BATCHES + 1;
 	enum tcs_status status = merges_aim(merges, target, fault);
-	double most = most_cost(simplifier);
+	struct most_costs most = most_costs(simplifier);
 	bool any;
 
 	while (!status && work->face_count > target) {
@@ -132,12 +139,13 @@ reach_target(struct object_simplifier *simplifier, size_t target,
 		double other =
 			fmin(fmin(opening, removal), fmin(handle, merge));
 
-		status = collapses_run(work, target, fmin(other, most), fault);
+		status = collapses_run(
+			work, target, fmin(other, most.collapse), fault);
 		if (!status && work->wants_worths) {
 			status = removals_look(removals, fault);
 			continue;
 		}
-		if (status || work->face_count <= target || other >= most)
+		if (status || work->face_count <= target || other >= most.other)
 			break;
 		if (handle <= other)
 			status = handles_try(handles, fault);

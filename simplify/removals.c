@@ -12,7 +12,7 @@
 #define CONTACT_DEPTH 0.0075
 
 /* Beyond this share of the diagonal from what stays the price rises steeply. */
-#define FAR 0.01
+#define FAR 0.004
 
 /* From where it is looked at: see visible.h. */
 #define LOWEST_VIEW (-0.1)

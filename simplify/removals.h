@@ -95,7 +95,7 @@ removals_steep(const struct removals *removals, double off)
 {
 	double far = off / removals->far;
 
-	return off * off * (1 + far * far * far * far);
+	return off * off * (1 + far * far * far);
 }
 
 /* The faces that a part still has. */

@@ -429,14 +429,14 @@ what_one_could_look_through_has_a_price(void)
 
 	add_window(&closed, 0);
 	begin(&closed);
-	merge_below(&closed, 2e-3);
+	merge_below(&closed, 0.01);
 	CHECK(faces(&closed, WINDOW) == 12);
 	add_window(&open, 0);
 	/* Without its glass. */
 	open.sample.set.triangles.count -= 12;
 	open.sample.set.features.count -= 12;
 	begin(&open);
-	merge_below(&open, 2e-3);
+	merge_below(&open, 0.01);
 	CHECK(faces(&open, WINDOW) > 12);
 	end(&closed);
 	end(&open);
