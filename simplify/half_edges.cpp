@@ -127,9 +127,9 @@ struct half_edges {
 		} while (half != begin);
 	}
 
-	void link_corners(const std::uint32_t *corners,
+	std::vector<Half> link_corners(const std::uint32_t *corners,
 		const std::uint32_t *opposites, std::size_t face_count);
-	void link_open();
+	void link_open(const std::vector<Half> &open);
 	half_edges(const std::uint32_t *corners, const std::uint32_t *opposites,
 		std::size_t face_count, std::size_t vertex_count);
 	void settle(Vertex vertex, Half outgoing);
@@ -148,19 +148,23 @@ struct half_edges {
 /* ---- building ------------------------------------------------------------ */
 
 /* Edges in the order of their first corners; the half-edge of that corner is
-   the even one. */
-void
+   the even one. Returns the half-edges without a face. */
+std::vector<Half>
 half_edges::link_corners(const std::uint32_t *corners,
 	const std::uint32_t *opposites, std::size_t face_count)
 {
 	std::vector<std::uint32_t> halves(3 * face_count);
+	std::vector<Half> open;
 	std::size_t edges = 0;
 
-	for (std::size_t c = 0; c < 3 * face_count; c++)
+	for (std::size_t c = 0; c < 3 * face_count; c++) {
+		if (opposites[c] == HALF_EDGE_NONE)
+			open.push_back(handle<Half>(2 * edges + 1));
 		if (opposites[c] == HALF_EDGE_NONE || opposites[c] > c)
 			halves[c] = static_cast<std::uint32_t>(2 * edges++);
 		else
 			halves[c] = halves[opposites[c]] + 1;
+	}
 	kernel.resize(marks.size(), edges, face_count);
 	for (std::size_t c = 0; c < 3 * face_count; c++) {
 		std::size_t next_corner = c % 3 == 2 ? c - 2 : c + 1;
@@ -175,30 +179,22 @@ half_edges::link_corners(const std::uint32_t *corners,
 		kernel.set_halfedge_handle(handle<Vertex>(corners[c]), half);
 		triples[3 * (c / 3) + (c + 1) % 3] = corners[c];
 	}
+	return open;
 }
 
-/* Half-edges without a face: a vertex has one of them outwards, or none. */
+/* A vertex has one of them outwards, or none. */
 void
-half_edges::link_open()
+half_edges::link_open(const std::vector<Half> &open)
 {
-	std::size_t count = kernel.n_halfedges();
-
-	for (std::size_t i = 0; i < count; i++) {
-		Half half = handle<Half>(i);
+	for (Half half : open) {
 		Half inner = opposite(half);
 
-		if (!is_open(half))
-			continue;
 		kernel.set_vertex_handle(half, head(previous(inner)));
 		kernel.set_halfedge_handle(head(inner), half);
 	}
-	for (std::size_t i = 0; i < count; i++) {
-		Half half = handle<Half>(i);
-
-		if (is_open(half))
-			kernel.set_next_halfedge_handle(
-				half, kernel.halfedge_handle(head(half)));
-	}
+	for (Half half : open)
+		kernel.set_next_halfedge_handle(
+			half, kernel.halfedge_handle(head(half)));
 }
 
 half_edges::half_edges(const std::uint32_t *corners,
@@ -206,8 +202,7 @@ half_edges::half_edges(const std::uint32_t *corners,
 	std::size_t vertex_count)
     : triples(3 * face_count), marks(vertex_count)
 {
-	link_corners(corners, opposites, face_count);
-	link_open();
+	link_open(link_corners(corners, opposites, face_count));
 }
 
 enum tcs_status
