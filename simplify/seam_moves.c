@@ -160,7 +160,8 @@ next_holder(const struct collapses *work, struct tcs_point point, size_t guess)
 		square = square_distance(at, point);
 		if (square < best.square) {
 			best = (struct holder){face, at, square};
-			reach = reach_of(square);
+			if (i != above)
+				reach = reach_of(square);
 		}
 	}
 	return best;
@@ -182,13 +183,13 @@ face_shape(const struct collapses *work, uint32_t face)
    not farther than the limit. */
 static bool
 is_held(const struct collapses *work, const struct seam_point *point,
-	const struct holder *own, const struct seam_hold *hold)
+	const struct holder *own, double off, const struct seam_hold *hold)
 {
 	double limit = (double)point->limit * (double)point->limit;
 	struct triangle_shape other;
 	struct tcs_point there;
 
-	if (sqrt(own->square) + (double)hold->off <= (double)point->limit)
+	if (off + (double)hold->off <= (double)point->limit)
 		return true;
 	other = face_shape(work, hold->face);
 	if (square_distance(own->at, triangle_nearest(&other, own->at)) <=
@@ -206,13 +207,14 @@ move_after(const struct collapses *work, uint32_t hold, size_t *guess)
 	const struct seam_point *point = &seams->points.at[hold / 2];
 	struct holder own = next_holder(work, point->at, *guess);
 
+	double off = sqrt(own.square);
+
 	if (own.face)
 		*guess = (size_t)(own.face - work->ring.at);
-
 	if (!own.face ||
-		!is_held(work, point, &own, &seams->holds.at[hold ^ 1]))
+		!is_held(work, point, &own, off, &seams->holds.at[hold ^ 1]))
 		return (struct seam_move){hold, TCS_NONE, INFINITY};
-	return (struct seam_move){hold, own.face->face, sqrt(own.square)};
+	return (struct seam_move){hold, own.face->face, off};
 }
 
 /* ---- all of them ----------------------------------------------------------- */
