@@ -8,6 +8,9 @@
 /* So much farther away, squared, is farther however it is rounded. */
 #define SAFE (1 + 1e-6)
 
+/* Of a triangle's height: a line that is so near to an edge may meet either. */
+#define LEAST_MARGIN 1e-9
+
 /* ---- who has which contacts ---------------------------------------------- */
 
 /* Count, then place. */
@@ -315,15 +318,43 @@ is_near(const struct cover_face *face, struct tcs_point point, double reach)
 	return vector_length(vector_difference(there, point)) <= reach;
 }
 
+/* How often the shapes go round a point, by what a line from it passes through;
+   false where that comes too near to an edge to tell. */
+static bool
+count_turns(const struct cover_watch *watch, struct tcs_point point, int *turns)
+{
+	static const struct tcs_point way = {0.267, 0.153, 0.951};
+
+	*turns = 0;
+	for (size_t i = 0; i < watch->shapes.count; i++) {
+		const struct cover_face *face = &watch->shapes.at[i];
+		double along = vector_dot(face->normal, way);
+		double ahead = vector_dot(face->normal,
+			vector_difference(face->shape.corner[0], point));
+		double t, margin = 0;
+
+		if (!(along * ahead > 0))
+			continue;
+		if (triangle_hit(&face->shape, point, way, &t, &margin))
+			*turns += along > 0 ? 1 : -1;
+		if (fabs(margin) < LEAST_MARGIN)
+			return false;
+	}
+	return true;
+}
+
 /* Whether a point is in the shapes, or hardly out of them. */
 static bool
 is_in(const struct cover_watch *watch, struct tcs_point point)
 {
 	double angle = 0;
+	int turns;
 
 	for (size_t i = 0; i < watch->shapes.count; i++)
 		if (is_near(&watch->shapes.at[i], point, watch->reach))
 			return true;
+	if (count_turns(watch, point, &turns))
+		return turns != 0;
 	for (size_t i = 0; i < watch->shapes.count; i++)
 		angle += angle_of(&watch->shapes.at[i].shape, point);
 	return fabs(angle) > 2 * acos(-1);
