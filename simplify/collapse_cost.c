@@ -79,10 +79,20 @@ border_cost(const struct collapses *work, const struct quadric *borders,
 struct leaving {
 	struct tcs_point from;
 	const struct quadric *planes, *borders;
+	double share; /* of what the planes say */
 	double way; /* what the way costs, by its square */
 	bool stays_low; /* what stands on the ground stays there */
 	bool meets; /* it is a boundary vertex */
 };
+
+static inline double
+share_of(const struct collapses *work, uint32_t node)
+{
+	return work->shares.count > 0
+		? (double)work->shares
+			  .at[work->sheets->nodes.at[node].component]
+		: 1;
+}
 
 static inline struct leaving
 leaving_of(const struct collapses *work, uint32_t node)
@@ -90,8 +100,8 @@ leaving_of(const struct collapses *work, uint32_t node)
 	struct tcs_point from = work->positions.at[node];
 
 	return (struct leaving){from, &work->quadrics.at[node],
-		borders_of(work, node), SHORTNESS * work->areas.at[node],
-		from.z <= work->ground,
+		borders_of(work, node), share_of(work, node),
+		SHORTNESS * work->areas.at[node], from.z <= work->ground,
 		work->seams->nodes.at[node] != TCS_NONE};
 }
 
@@ -102,7 +112,7 @@ shape_cost(const struct collapses *work, const struct leaving *leaving,
 {
 	if (leaving->stays_low && place.z > work->ground)
 		return INFINITY;
-	return quadric_at(leaving->planes, place) +
+	return leaving->share * quadric_at(leaving->planes, place) +
 		border_cost(work, leaving->borders, place) +
 		leaving->way * square;
 }

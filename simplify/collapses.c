@@ -346,6 +346,7 @@ collapses_begin(struct collapses *work, const struct component_set *set,
 	work->ground = set->bounds.low[2] + contact_reach(set);
 	work->face_count = sheets->face_triangles.count;
 	array_clear(&work->worths);
+	array_clear(&work->shares);
 	cover_watch_clear(&work->covers);
 	half_edges_free(work->mesh);
 	work->mesh = NULL;
@@ -467,6 +468,7 @@ collapses_release(struct collapses *work)
 	array_release(&work->sources);
 	array_release(&work->surfaces);
 	array_release(&work->worths);
+	array_release(&work->shares);
 	array_release(&work->spokes);
 	array_release(&work->candidates);
 	array_release(&work->touched);

@@ -93,6 +93,9 @@ struct collapses {
 	size_t face_count; /* left */
 	/* Per contact: for how many it counts; empty until it matters. */
 	TCS_ARRAY(float) worths;
+	/* Per component: the share that its shape counts for; empty while that
+	   is all of it. */
+	TCS_ARRAY(float) shares;
 	bool wants_worths; /* collapses_run cannot go on without */
 	bool is_stale; /* no node is judged under these settings */
 	double ground; /* what is no higher stands on it, and goes no higher */

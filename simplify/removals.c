@@ -17,6 +17,10 @@
 /* From where it is looked at: see visible.h. */
 #define LOWEST_VIEW (-0.1)
 
+/* The shape of a component nothing of which is seen counts for so much when it
+   collapses. */
+#define HIDDEN_SHAPE 0.5F
+
 enum { VIEWS = 24 };
 
 /* Pixels: pictures are so wide, by the root of the number of triangles. */
@@ -116,19 +120,14 @@ look_at_parts(struct removals *removals, struct tcs_fault *fault)
 
 /* Contacts between components that are seen count for more. */
 static enum tcs_status
-weigh_contacts(struct removals *removals, struct tcs_fault *fault)
+weigh_contacts(
+	struct removals *removals, const bool *seen, struct tcs_fault *fault)
 {
-	const struct parts *parts = &removals->parts;
 	struct collapses *work = removals->work;
 	size_t count = removals->list->count;
-	bool *seen = calloc(work->set->components.count + 1, sizeof *seen);
 
-	if (!seen || array_grow(&work->worths, count + 1)) {
-		free(seen);
+	if (array_grow(&work->worths, count + 1))
 		return fault_memory(fault);
-	}
-	for (size_t i = 0; i < parts->count; i++)
-		seen[parts->at.at[i].component] |= removals->visible.at[i] > 0;
 	for (size_t i = 0; i < count; i++) {
 		const struct contact *own = &removals->list->at[i];
 
@@ -137,8 +136,48 @@ weigh_contacts(struct removals *removals, struct tcs_fault *fault)
 	}
 	work->worths.at[count] = 1; /* so that it is never empty */
 	work->worths.count = count + 1;
-	free(seen);
 	return TCS_OK;
+}
+
+/* Those that are not seen may lose their shape sooner. */
+static enum tcs_status
+weigh_shapes(
+	struct removals *removals, const bool *seen, struct tcs_fault *fault)
+{
+	struct collapses *work = removals->work;
+	size_t count = work->set->components.count;
+	bool all = true;
+
+	if (array_grow(&work->shares, count))
+		return fault_memory(fault);
+	for (size_t i = 0; i < count; i++) {
+		work->shares.at[i] = seen[i] ? 1 : HIDDEN_SHAPE;
+		all = all && seen[i];
+	}
+	if (all)
+		return TCS_OK;
+	work->shares.count = count;
+	collapses_resume(work, &work->settings);
+	return TCS_OK;
+}
+
+static enum tcs_status
+weigh_components(struct removals *removals, struct tcs_fault *fault)
+{
+	const struct parts *parts = &removals->parts;
+	size_t count = removals->work->set->components.count;
+	bool *seen = calloc(count + 1, sizeof *seen);
+	enum tcs_status status;
+
+	if (!seen)
+		return fault_memory(fault);
+	for (size_t i = 0; i < parts->count; i++)
+		seen[parts->at.at[i].component] |= removals->visible.at[i] > 0;
+	status = weigh_contacts(removals, seen, fault);
+	if (!status)
+		status = weigh_shapes(removals, seen, fault);
+	free(seen);
+	return status;
 }
 
 static enum tcs_status
@@ -155,7 +194,7 @@ find_visible(struct removals *removals, struct tcs_fault *fault)
 			removals->all_seen ? removals->parts.at.at[i].area : 0;
 	if (!removals->all_seen)
 		status = look_at_parts(removals, fault);
-	return status ? status : weigh_contacts(removals, fault);
+	return status ? status : weigh_components(removals, fault);
 }
 
 static enum tcs_status

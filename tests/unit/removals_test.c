@@ -215,6 +215,40 @@ the_hidden_go_first(void)
 	end(&sample, &removals);
 }
 
+static double
+cost_of(const struct collapse_sample *sample, struct tcs_point from,
+	struct tcs_point to)
+{
+	return collapse_cost(&sample->work,
+		sample_node(sample, from.x, from.y, from.z),
+		sample_node(sample, to.x, to.y, to.z), INFINITY);
+}
+
+/* What lies in a closed box loses its shape at half the price. */
+static void
+the_shape_of_the_hidden_costs_less(void)
+{
+	const struct tcs_point low = {0, 0, 10}, high = {10, 0, 10};
+	const struct tcs_point in = {4, 4, 1.5}, beside = {5, 4, 1.5};
+	struct collapse_sample sample = {0};
+	struct removals removals = {0};
+	struct tcs_fault fault;
+	double seen, hidden;
+
+	sample_add_box(&sample, TOP, (struct tcs_point){0, 0, 0},
+		(struct tcs_point){10, 10, 10});
+	sample_add_box(&sample, LEG, (struct tcs_point){4, 4, 1},
+		(struct tcs_point){1, 1, 0.5});
+	begin(&sample, &removals);
+	seen = cost_of(&sample, low, high);
+	hidden = cost_of(&sample, in, beside);
+	CHECK(hidden > 0);
+	CHECK(!removals_look(&removals, &fault));
+	CHECK(fabs(cost_of(&sample, low, high) - seen) < 1e-9 * seen);
+	CHECK(fabs(cost_of(&sample, in, beside) - hidden / 2) < 1e-6 * hidden);
+	end(&sample, &removals);
+}
+
 /* The contacts of what is gone are open, and hold nobody back. */
 static void
 seams_come_open(void)
@@ -250,6 +284,7 @@ main(void)
 		CHECK_TEST(what_stands_on_a_part_goes_with_it),
 		CHECK_TEST(something_stays),
 		CHECK_TEST(the_hidden_go_first),
+		CHECK_TEST(the_shape_of_the_hidden_costs_less),
 		CHECK_TEST(seams_come_open),
 		{0},
 	};
