@@ -55,7 +55,8 @@ is_flat_with(const struct search *search, uint32_t first, uint32_t apex)
 				  from))) > FLAT_HEIGHT);
 }
 
-/* Every flat face of which no edge closes a ring of its faces is a disc. */
+/* Where no edge joins faces of the flat one beside those that each was reached
+   over, it is a disc, which has no inner outline. */
 static void
 spread(struct search *search, uint32_t first)
 {
