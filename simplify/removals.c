@@ -23,8 +23,9 @@
 
 enum { VIEWS = 24 };
 
-/* Pixels: pictures are so wide, by the root of the number of triangles. */
-enum { SMALLEST_VIEW = 64, LARGEST_VIEW = 2048, PER_ROOT = 2 };
+/* Pixels: pictures are as wide as the root of the number of triangles, but not
+   less or more than so. */
+enum { SMALLEST_VIEW = 64, LARGEST_VIEW = 2048 };
 
 /* ---- in the queue -------------------------------------------------------- */
 
@@ -42,11 +43,11 @@ judge(struct removals *removals, uint32_t number, struct tcs_fault *fault)
 
 /* ---- looking closer ------------------------------------------------------- */
 
-/* Pixels of a picture: some for each triangle. */
+/* Pixels of a picture: as many as there are triangles. */
 static unsigned
 picture_size(size_t triangles)
 {
-	double size = PER_ROOT * sqrt((double)triangles);
+	double size = sqrt((double)triangles);
 
 	return size < SMALLEST_VIEW   ? SMALLEST_VIEW
 		: size < LARGEST_VIEW ? (unsigned)size
