@@ -125,7 +125,9 @@ removal_measure(
 {
 	const struct part *own = &removals->parts.at.at[number];
 	struct reaching reaching = {.removals = removals,
-		.around = removals->parts.links.at + own->first_link,
+		.around = own->link_count > 0
+			? removals->parts.links.at + own->first_link
+			: NULL,
 		.count = own->link_count,
 		.far = box_diagonal(&own->box)};
 	enum tcs_status status;
