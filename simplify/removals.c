@@ -21,6 +21,10 @@
    collapses. */
 #define HIDDEN_SHAPE 0.5F
 
+/* On average over all sides a face in the open shows a quarter of its area. What
+   is seen counts so many times as much. */
+#define SHOWN_FACTOR 2
+
 enum { VIEWS = 24 };
 
 /* Pixels: pictures are as wide as the root of the number of triangles, but not
@@ -97,7 +101,7 @@ see_triangles(const struct removals *removals, const struct looked_at *all,
 		fault);
 }
 
-/* The mean area, as projected, that is seen of every part. */
+/* What is seen of every part. */
 static enum tcs_status
 look_at_parts(struct removals *removals, struct tcs_fault *fault)
 {
@@ -112,7 +116,7 @@ look_at_parts(struct removals *removals, struct tcs_fault *fault)
 
 	for (size_t i = 0; !status && i < sheets->face_triangles.count; i++)
 		removals->visible.at[removals->parts.numbers.at[i]] +=
-			all.areas[sheets->face_triangles.at[i]];
+			SHOWN_FACTOR * all.areas[sheets->face_triangles.at[i]];
 	free(all.groups);
 	free(all.fronts);
 	free(all.areas);

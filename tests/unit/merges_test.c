@@ -189,7 +189,7 @@ a_frame_and_its_pane_become_a_panel(void)
 
 	add_window(&scene, 0);
 	begin(&scene);
-	merge_below(&scene, 0.01);
+	merge_below(&scene, 0.02);
 	CHECK(faces(&scene, WINDOW) == 12);
 	CHECK(fabs(volume(&scene, WINDOW) - WINDOW_VOLUME) < 1e-9);
 	CHECK(sample_has(&scene.sample, 0, 0, 0));
@@ -229,7 +229,7 @@ what_is_merged_goes_on_collapsing(void)
 
 	add_window(&scene, 0);
 	begin_with(&scene, &free);
-	merge_below(&scene, 0.01);
+	merge_below(&scene, 0.02);
 	sample_run(&scene.sample, 4);
 	CHECK(faces(&scene, WINDOW) < 12);
 	CHECK(volume(&scene, WINDOW) > 0);
@@ -246,7 +246,7 @@ what_is_in_a_prism_stays_in_it(void)
 
 	add_window(&scene, 0);
 	begin(&scene);
-	merge_below(&scene, 0.01);
+	merge_below(&scene, 0.02);
 	sample_run(&scene.sample, 4);
 	CHECK(faces(&scene, WINDOW) == 12);
 	end(&scene);
@@ -303,7 +303,7 @@ boxes_that_meet_at_an_edge_stay(void)
 	sample_add_box(&scene.sample, WINDOW, at(1, 1, 0), at(1, 1, 1));
 	begin(&scene);
 	CHECK(scene.merges.groups.at.count == 1);
-	merge_below(&scene, 0.01);
+	merge_below(&scene, 0.02);
 	CHECK(scene.sample.work.face_count == 24);
 	end(&scene);
 }
@@ -358,7 +358,7 @@ what_touched_one_of_them_touches_the_prism(void)
 	add_window(&scene, 0);
 	sample_add_box(&scene.sample, WALL, at(-3, -0.1, -1), at(3, 0.3, 3));
 	begin(&scene);
-	merge_below(&scene, 0.01);
+	merge_below(&scene, 0.02);
 	CHECK(faces(&scene, WINDOW) == 12);
 	counts = scene.sample.seams.counts.at;
 	wall = (uint32_t)scene.sample.set.components.count - 1;
@@ -382,7 +382,7 @@ what_stood_on_one_of_them_stands_on_the_prism(void)
 	sample_add_box(
 		&scene.sample, VASE, at(0.5, 0.02, 1.2), at(0.1, 0.04, 0.2));
 	begin(&scene);
-	merge_below(&scene, 0.01);
+	merge_below(&scene, 0.02);
 	CHECK(faces(&scene, WINDOW) == 12);
 	CHECK(!goes(&scene, WALL));
 	CHECK(!goes(&scene, WINDOW));
@@ -400,10 +400,10 @@ price_with_a_rod(bool rod)
 	double price;
 
 	sample_add_box(&scene.sample, WINDOW, at(0, 0, 0), at(2, 0.1, 0.1));
-	sample_add_box(&scene.sample, WINDOW, at(0, 0, 0.2), at(2, 0.1, 0.1));
+	sample_add_box(&scene.sample, WINDOW, at(0, 0, 0.15), at(2, 0.1, 0.1));
 	sample_add_box(
-		&scene.sample, WINDOW, at(0, 0.02, 0.1), at(0.05, 0.05, 0.1));
-	sample_add_box(&scene.sample, WALL, at(1, -2, rod ? 0.14 : 0.28),
+		&scene.sample, WINDOW, at(0, 0.02, 0.1), at(0.05, 0.05, 0.05));
+	sample_add_box(&scene.sample, WALL, at(1, -2, rod ? 0.115 : 0.28),
 		at(0.02, 4, 0.02));
 	begin(&scene);
 	do {
@@ -429,14 +429,14 @@ what_one_could_look_through_has_a_price(void)
 
 	add_window(&closed, 0);
 	begin(&closed);
-	merge_below(&closed, 0.01);
+	merge_below(&closed, 0.02);
 	CHECK(faces(&closed, WINDOW) == 12);
 	add_window(&open, 0);
 	/* Without its glass. */
 	open.sample.set.triangles.count -= 12;
 	open.sample.set.features.count -= 12;
 	begin(&open);
-	merge_below(&open, 0.01);
+	merge_below(&open, 0.02);
 	CHECK(faces(&open, WINDOW) > 12);
 	end(&closed);
 	end(&open);
@@ -451,10 +451,10 @@ no_more_is_saved_than_is_wanted(void)
 	add_window(&scene, 0);
 	begin(&scene);
 	CHECK(!merges_aim(&scene.merges, 58, &fault));
-	merge_below(&scene, 0.01);
+	merge_below(&scene, 0.02);
 	CHECK(scene.sample.work.face_count == 60);
 	CHECK(!merges_aim(&scene.merges, 12, &fault));
-	merge_below(&scene, 0.01);
+	merge_below(&scene, 0.02);
 	CHECK(scene.sample.work.face_count == 12);
 	end(&scene);
 }
