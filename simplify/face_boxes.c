@@ -212,7 +212,8 @@ enum tcs_status
 face_boxes_add(struct face_boxes *boxes, const uint32_t *faces,
 	const struct float_box *own, size_t count, struct tcs_fault *fault)
 {
-	uint64_t *room = malloc(2 * count * sizeof *room), *order = room;
+	uint64_t *room = malloc((2 * count + 1) * sizeof *room);
+	uint64_t *order = room;
 	enum tcs_status status;
 
 	if (!order || array_grow(&boxes->runs, 1) ||

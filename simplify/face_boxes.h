@@ -126,7 +126,7 @@ enum tcs_status face_boxes_build(struct face_boxes *boxes,
 	const struct component_set *set, const struct sheets *sheets,
 	struct tcs_fault *fault) TCS_CHECKED;
 
-/* Add a run of `count` > 0 faces, in the order of their boxes. Takes n log n
+/* Add a run of faces, or of none, in the order of their boxes. Takes n log n
    steps. Fails with TCS_NO_MEMORY, TCS_LIMIT. */
 enum tcs_status face_boxes_add(struct face_boxes *boxes, const uint32_t *faces,
 	const struct float_box *own, size_t count,
