@@ -209,6 +209,19 @@ collapses_source(const struct collapses *work, uint32_t face)
 bool collapses_face(
 	const struct collapses *work, uint32_t face, uint32_t nodes[3]);
 
+/* A face as it is; all zero when it is gone. */
+static inline struct triangle_shape
+collapses_shape(const struct collapses *work, uint32_t face)
+{
+	struct triangle_shape shape = {0};
+	uint32_t nodes[3];
+
+	if (collapses_face(work, face, nodes))
+		for (int k = 0; k < 3; k++)
+			shape.corner[k] = work->positions.at[nodes[k]];
+	return shape;
+}
+
 /* Whether a node is not where it was at the beginning. */
 bool collapses_is_moved(const struct collapses *work, uint32_t node);
 

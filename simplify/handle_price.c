@@ -35,19 +35,6 @@ handle_cap_shape(const struct handles *handles, size_t cap)
 	return shape;
 }
 
-struct triangle_shape
-handle_now_shape(const struct handles *handles, uint32_t face)
-{
-	const struct collapses *work = handles->work;
-	struct triangle_shape shape = {0};
-	uint32_t nodes[3];
-
-	if (collapses_face(work, face, nodes))
-		for (int k = 0; k < 3; k++)
-			shape.corner[k] = work->positions.at[nodes[k]];
-	return shape;
-}
-
 /* Behind the last link of a part that is followed. */
 static uint32_t
 last_link(const struct part *own)
@@ -311,7 +298,7 @@ lies_flat(const struct handles *handles, uint32_t vertex,
 
 		if (face == HALF_EDGE_NONE || handles->owners.at[face] == owner)
 			continue;
-		shape = handle_now_shape(handles, face);
+		shape = collapses_shape(handles->work, face);
 		own = triangle_normal(&shape);
 		*flat = vector_dot(own, normal) >=
 			SAME_PLANE * vector_length(own);

@@ -14,10 +14,6 @@
 struct triangle_shape handle_cap_shape(
 	const struct handles *handles, size_t cap);
 
-/* A face that is left. */
-struct triangle_shape handle_now_shape(
-	const struct handles *handles, uint32_t face);
-
 /*
  * Whether what stands in a hole is of the surface that closes it, and touches
  * nothing else: a pane in its frame. Both are one plate then.

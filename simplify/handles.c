@@ -128,7 +128,8 @@ find_bottom(const struct handles *handles)
 	for (size_t i = 0; rims->loops.count == 1 && i < rims->faces.count;
 		i++) {
 		uint32_t face = rims->faces.at[i];
-		struct triangle_shape shape = handle_now_shape(handles, face);
+		struct triangle_shape shape =
+			collapses_shape(handles->work, face);
 		struct tcs_point normal = triangle_normal(&shape);
 		double along = vector_dot(normal, rims->loops.at[0].normal);
 
@@ -168,7 +169,7 @@ volume_added(const struct handles *handles)
 	}
 	for (size_t i = 0; i < rims->faces.count; i++) {
 		struct triangle_shape shape =
-			handle_now_shape(handles, rims->faces.at[i]);
+			collapses_shape(handles->work, rims->faces.at[i]);
 
 		volume -= vector_dot(vector_difference(shape.corner[0], origin),
 			triangle_normal(&shape));

@@ -419,12 +419,8 @@ sort_boxes(const struct overlaps *overlaps, const struct collapses *work,
 	for (uint32_t i = 0; i < overlaps->faces.count; i++) {
 		const struct overlap_face *face = &overlaps->faces.at[i];
 		size_t place = ends[way_of(face)]++;
-		struct triangle_shape shape = {0};
-		uint32_t nodes[3];
+		struct triangle_shape shape = collapses_shape(work, face->face);
 
-		if (collapses_face(work, face->face, nodes))
-			for (int k = 0; k < 3; k++)
-				shape.corner[k] = work->positions.at[nodes[k]];
 		places[place] = i;
 		boxes[place] = float_box_of(&shape);
 	}

@@ -167,18 +167,6 @@ next_holder(const struct collapses *work, struct tcs_point point, size_t guess)
 	return best;
 }
 
-static struct triangle_shape
-face_shape(const struct collapses *work, uint32_t face)
-{
-	struct triangle_shape shape = {0};
-	uint32_t nodes[3];
-
-	if (collapses_face(work, face, nodes))
-		for (int k = 0; k < 3; k++)
-			shape.corner[k] = work->positions.at[nodes[k]];
-	return shape;
-}
-
 /* Whether from where either side is nearest to the point the other side is
    not farther than the limit. */
 static bool
@@ -191,7 +179,7 @@ is_held(const struct collapses *work, const struct seam_point *point,
 
 	if (off + (double)hold->off <= (double)point->limit)
 		return true;
-	other = face_shape(work, hold->face);
+	other = collapses_shape(work, hold->face);
 	if (square_distance(own->at, triangle_nearest(&other, own->at)) <=
 		limit)
 		return true;
@@ -206,7 +194,6 @@ move_after(const struct collapses *work, uint32_t hold, size_t *guess)
 	const struct seams *seams = work->seams;
 	const struct seam_point *point = &seams->points.at[hold / 2];
 	struct holder own = next_holder(work, point->at, *guess);
-
 	double off = sqrt(own.square);
 
 	if (own.face)
