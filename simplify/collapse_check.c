@@ -1,5 +1,6 @@
 /*
- * What a collapse may not do to the mesh, its surfaces and its seams.
+ * What a collapse may not do to the mesh and its surfaces; what it does to seams
+ * is in seam_moves.c.
  *
  * A face is compared with the normal it began with, so that small turns do not
  * add up to a large one, and may turn by 90 degrees. Faces that all but vanish

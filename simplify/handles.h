@@ -28,9 +28,8 @@ struct handle {
 struct handles {
 	TCS_ARRAY(struct handle) at;
 	TCS_ARRAY(uint32_t) faces; /* handle by handle */
-	TCS_ARRAY(uint32_t)
-	owners; /* per face: its handle, or TCS_NONE; none
-	                               where there is no handle */
+	/* Per face: its handle, or TCS_NONE; empty where there is none. */
+	TCS_ARRAY(uint32_t) owners;
 	struct node_queue queue; /* of handles, by their price */
 	struct rims rims; /* scratch */
 	struct component_set *set; /* borrowed: boxes grow */

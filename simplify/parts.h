@@ -76,7 +76,7 @@ enum tcs_status parts_take_away(struct parts *parts, uint32_t part, bool *gone,
 /*
  * List in `hanging` what would not stand without a part: itself, and what it
  * carries and nothing else does, carriers first. None, where it carries more
- * than that many. Fails with TCS_NO_MEMORY.
+ * than parts_take_away looks at. Fails with TCS_NO_MEMORY.
  */
 enum tcs_status parts_find_hanging(struct parts *parts, uint32_t part,
 	struct tcs_fault *fault) TCS_CHECKED;

@@ -1,3 +1,4 @@
+/* Parts that go, and what they carried: see parts.h. */
 #include "parts.h"
 
 enum { MOST_CARRIED = 4096 };

@@ -132,12 +132,12 @@ removal_measure(
 		.far = box_diagonal(&own->box)};
 	enum tcs_status status;
 
-	if (removals->asked.at[number])
+	if (removals->measured.at[number])
 		return TCS_OK;
 	status = reach_from_part(&reaching, own, fault);
 	if (status)
 		return status;
-	removals->asked.at[number] = true;
+	removals->measured.at[number] = true;
 	removals->distances.at[number] =
 		fmax(removals->distances.at[number], reaching.most);
 	return TCS_OK;
@@ -444,7 +444,7 @@ removal_stack_price(struct removals *removals, uint32_t number, double *price,
 	status = list_around(removals, fault);
 	if (!status)
 		status = add_stack(removals, &loss, &near, fault);
-	cost = price_of(removals, &loss);
+	cost = price_of(removals, &loss); /* it uses the lists up */
 	if (!status && near && loss.faces > 0)
 		*price = cost;
 	return status;

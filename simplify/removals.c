@@ -209,10 +209,10 @@ make_room(struct removals *removals, struct tcs_fault *fault)
 
 	array_clear(&removals->held);
 	array_clear(&removals->roots);
-	array_clear(&removals->asked);
+	array_clear(&removals->measured);
 	array_clear(&removals->with_stack);
 	if (array_grow(&removals->distances, removals->parts.count) ||
-		array_grow(&removals->asked, removals->parts.count) ||
+		array_grow(&removals->measured, removals->parts.count) ||
 		array_grow(&removals->with_stack, removals->parts.count) ||
 		array_grow(&removals->roots, removals->parts.count) ||
 		array_grow(&removals->held, contacts))
@@ -222,7 +222,7 @@ make_room(struct removals *removals, struct tcs_fault *fault)
 		removals->held.at[i] = 0;
 	for (size_t i = 0; i < removals->parts.count; i++) {
 		removals->roots.at[i] = TCS_NONE;
-		removals->asked.at[i] = removals->with_stack.at[i] = false;
+		removals->measured.at[i] = removals->with_stack.at[i] = false;
 	}
 	return TCS_OK;
 }
@@ -287,7 +287,7 @@ judge_linked(struct removals *removals, uint32_t gone, struct tcs_fault *fault)
 	for (uint32_t i = 0; !status && i < own->link_count; i++) {
 		uint32_t other = parts->links.at[own->first_link + i];
 
-		removals->asked.at[other] = false;
+		removals->measured.at[other] = false;
 		if (!parts->at.at[other].gone &&
 			parts->at.at[other].link_count <= MOST_LINKS)
 			status = judge(removals, other, fault);
@@ -340,7 +340,7 @@ removals_join(struct removals *removals, const uint32_t *parts, size_t count,
 	}
 	removals->visible.at[host] = visible;
 	removals->distances.at[host] = removals->parts.at.at[host].depth;
-	removals->asked.at[host] = false;
+	removals->measured.at[host] = false;
 	removals->roots.at[host] = TCS_NONE;
 	return judge(removals, host, fault);
 }
@@ -416,7 +416,7 @@ removals_release(struct removals *removals)
 	node_queue_release(&removals->queue);
 	array_release(&removals->visible);
 	array_release(&removals->distances);
-	array_release(&removals->asked);
+	array_release(&removals->measured);
 	array_release(&removals->with_stack);
 	triangle_tree_release(&removals->tree);
 	array_release(&removals->roots);

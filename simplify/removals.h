@@ -1,6 +1,7 @@
 /*
  * What it costs to take a whole part of an object away, beside what collapses
- * cost, and doing it: the cheapest first, and only what nothing else stands on.
+ * cost, and doing it: the cheapest first, and together with all that would not
+ * stand without it. How prices are found is in removal_price.c.
  *
  * A part costs the area that is seen of it, and a little of what is not, times
  * the square of how far its surface is from what stays; and for every contact
@@ -41,9 +42,9 @@ struct removals {
 	   lies open; empty while unknown. */
 	TCS_ARRAY(double) visible;
 	/* Per part: metres that its surface is from what stays, at least; and
-	   whether it has been asked since that has changed. */
+	   whether that was measured since what it is linked to last changed. */
 	TCS_ARRAY(double) distances;
-	TCS_ARRAY(bool) asked;
+	TCS_ARRAY(bool) measured;
 	/* Per part: its price is that of all that hangs in the air without it */
 	TCS_ARRAY(bool) with_stack;
 	struct triangle_tree tree; /* of parts that were asked for */
@@ -79,8 +80,8 @@ double removals_next_cost(const struct removals *removals);
 enum tcs_status removals_try(
 	struct removals *removals, struct tcs_fault *fault) TCS_CHECKED;
 
-/* Find out how much is seen of every part, and grow their trees, unless that is
-   done. Fails with TCS_NO_MEMORY, TCS_SYSTEM. */
+/* Find out how much is seen of every part, and let contacts and shapes count by
+   it from then on, unless that is done. Fails with TCS_NO_MEMORY, TCS_SYSTEM. */
 enum tcs_status removals_look(
 	struct removals *removals, struct tcs_fault *fault) TCS_CHECKED;
 
