@@ -23,7 +23,7 @@
 
 /* On average over all sides a face in the open shows a quarter of its area. What
    is seen counts so many times as much. */
-#define SHOWN_FACTOR 2
+#define SHOWN_FACTOR 1.5
 
 enum { VIEWS = 24 };
 

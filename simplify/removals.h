@@ -38,7 +38,7 @@ struct removals {
 	struct collapses *work; /* borrowed */
 	const struct contact_list *list; /* borrowed */
 	struct node_queue queue; /* of parts, by their price */
-	/* Per part: square metres that are seen, half of the area where all of it
+	/* Per part: square metres that are seen, 3/8 of the area where all of it
 	   lies open; empty while unknown. */
 	TCS_ARRAY(double) visible;
 	/* Per part: metres that its surface is from what stays, at least; and
