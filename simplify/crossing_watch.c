@@ -12,7 +12,7 @@
    nothing for a collapse, which pays for how far it moves the surface, or where
    bevels of a few millimetres may not go outlines do; much for what closes a
    hole, which runs through all that stands in it. */
-#define COLLAPSE_CROSSES 0.0005
+#define COLLAPSE_CROSSES 0.00005
 #define REFILL_CROSSES 0.5
 
 /* Metres: what reaches no farther through a plane is on one side of it; far
